@@ -393,14 +393,14 @@ void AddMovingFiles(Corpus& corpus)
 void AddSeriesFiles(Corpus& corpus)
 {
   const auto path = (corpus.GetFolder() / "series.gtn").string();
-  const auto mesh = test::MakeCubes(2, 0.2);
+  const auto mesh = test::MakeCubes(3, 0.2);
   const auto other = test::MakeCubes(1, 0.1);
   std::vector<ArrayDescription> arrays(1);
   arrays[0].Name = std::string("p");
   for (const std::uint8_t keep : { KeepNone, KeepAll })
   {
     WriterOptions options;
-    options.ChunkTets = 16;
+    options.ChunkTets = 64;
     options.KeyStepInterval = 2;
     options.Keep = keep;
     {

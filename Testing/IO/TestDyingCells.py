@@ -263,13 +263,12 @@ grid = dying(0)
 
 
 def in_place(step):
-    if step:
-        new = dying(step)
-        vtk_to_numpy(grid.GetPoints().GetData())[:] = places(step, True)
-        grid.GetPoints().Modified()
-        grid.SetCells(10, new.GetCells())
-        for name in "GetPointData", "GetCellData", "GetFieldData":
-            getattr(grid, name)().DeepCopy(getattr(new, name)())
+    new = dying(step)  # also step 0, which is asked for again when points have moved
+    vtk_to_numpy(grid.GetPoints().GetData())[:] = places(step, True)
+    grid.GetPoints().Modified()
+    grid.SetCells(10, new.GetCells())
+    for name in "GetPointData", "GetCellData", "GetFieldData":
+        getattr(grid, name)().DeepCopy(getattr(new, name)())
     return grid
 
 

@@ -58,7 +58,7 @@ def hashes(decoder, order, restore, steps):
     cells = cell_order(decoder, restore)
     at_steps = [golden.sha256(decoder.points(restore, step)) for step in steps]
     return {
-        **({"points_at": at_steps} if len(set(at_steps)) > 1 else {}),
+        "points_at": at_steps,
         "points_type": points.dtype.name if len(points) else None,
         "points": golden.sha256(points) if len(points) else None,
         **describe_cells(decoder, restore),
@@ -73,7 +73,7 @@ def describe_decoded(data):
     decoder = Decoder(data)
     series = decoder.container.series
     if series is None:
-        return describe_mesh(decoder, range(len(decoder.steps)))
+        return without_equal_places(describe_mesh(decoder, range(len(decoder.steps))))
     kinds, counts = {}, {}  # steps of each mesh and mask; steps of each mesh so far
     for step in series:
         kinds.setdefault((step.mesh, step.mask), []).append(counts.get(step.mesh, 0))
@@ -93,8 +93,18 @@ def describe_decoded(data):
         before["times"] += one["times"]
         before["field_data"] += one["field_data"]
         for order in "file_order", "input_order":
-            before[order]["arrays"] += one[order]["arrays"]
-    return {"times": [step.time for step in series], "meshes": list(described.values())}
+            for of_steps in "points_at", "arrays":
+                before[order][of_steps] += one[order][of_steps]
+    meshes = [without_equal_places(mesh) for mesh in described.values()]
+    return {"times": [step.time for step in series], "meshes": meshes}
+
+
+def without_equal_places(described):
+    """Of a mesh; only points that move have checksums at each step."""
+    for order in "file_order", "input_order":
+        if len(set(described[order]["points_at"])) <= 1:
+            del described[order]["points_at"]
+    return described
 
 
 def describe_mesh(decoder, steps):

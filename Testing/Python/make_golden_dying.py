@@ -61,7 +61,7 @@ def dying_cells(rng):
     """Hexahedra and wedges, and cells that die in a mesh that is not the first."""
     points, tets = lattice(rng, 2)
     grids = [fill(gm.make_grid(single(points), tets), points, 0)]
-    n = 3
+    n = 4
     at = np.arange((n + 1) ** 3).reshape([n + 1] * 3)
     places = np.stack(np.meshgrid(*[np.arange(n + 1.0)] * 3, indexing="ij"), -1).reshape(-1, 3)
     for step, front in enumerate(FRONTS[:4], 1):
