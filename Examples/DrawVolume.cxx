@@ -1,11 +1,11 @@
 // Draws a mesh as a volume, chunk by chunk from its file:  DrawVolume mesh.gtn [image.png]
 // Without an image, opens a window that the mouse turns.
-#include <vtkColorTransferFunction.h>
+#include <vtkCamera.h>
+#include <vtkGatunDefaults.h>
 #include <vtkGatunReader.h>
 #include <vtkGatunVolumeMapper.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
-#include <vtkPiecewiseFunction.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
@@ -22,22 +22,19 @@ int main(int argc, char* argv[])
   vtkNew<vtkGatunVolumeMapper> mapper; // draws the file, not the output of the reader
   mapper->SetInputConnection(reader->GetOutputPort());
 
-  // Values from 0 to 1, the larger the redder and the more opaque.
-  vtkNew<vtkColorTransferFunction> colors;
-  colors->AddRGBPoint(0, 0.2, 0.3, 0.9);
-  colors->AddRGBPoint(1, 0.9, 0.2, 0.1);
-  vtkNew<vtkPiecewiseFunction> opacities;
-  opacities->AddPoint(0, 0);
-  opacities->AddPoint(1, 0.9);
+  // Frequent values are transparent, rare ones are not; see the class for how to choose.
+  vtkNew<vtkGatunDefaults> defaults;
+  defaults->SetInputConnection(reader->GetOutputPort());
   vtkNew<vtkVolume> volume;
   volume->SetMapper(mapper);
-  volume->GetProperty()->SetColor(colors);
-  volume->GetProperty()->SetScalarOpacity(opacities);
-  volume->GetProperty()->SetScalarOpacityUnitDistance(0.2);
-
   vtkNew<vtkRenderer> renderer;
   renderer->AddVolume(volume);
-  renderer->ResetCamera(); // the bounds come from the file
+  if (!defaults->MakeProperty(volume->GetProperty()) ||
+    !defaults->FitCamera(renderer->GetActiveCamera(), 1))
+  {
+    return EXIT_FAILURE; // VTK has told the reason
+  }
+  renderer->ResetCameraClippingRange(); // the bounds come from the file
   vtkNew<vtkRenderWindow> window;
   window->SetSize(600, 600);
   window->AddRenderer(renderer);

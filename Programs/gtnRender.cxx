@@ -14,9 +14,9 @@
 #include "gtnRenderStatistics.h"
 #include "gtnSurfaceRender.h"
 #include "gtnText.h"
-#include "gtnTransfer.h"
 #include "gtnTurntable.h"
 
+#include "vtkGatunDefaults.h"
 #include "vtkGatunRayCaster.h"
 
 #include "vtkCamera.h"
@@ -115,6 +115,18 @@ void SetDetail(const RenderOptions& options, vtkGatunRayCaster* caster)
   }
 }
 
+/** The automatic opacities are those of lengths, which the largest value along a ray does not have.
+ */
+RenderOptions ForMode(RenderOptions options)
+{
+  if (options.BlendMode == vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND &&
+    options.TransferFunction == AutomaticTransfer)
+  {
+    options.TransferFunction = "dusk";
+  }
+  return options;
+}
+
 void Render(const RenderOptions& options, const Settings& settings)
 {
   CheckImages(options);
@@ -124,16 +136,18 @@ void Render(const RenderOptions& options, const Settings& settings)
     input = std::make_unique<const RenderInput>(options.Input, progress);
   }
   const ImageContent content{ options.Input.File, input->GetArray(), input->GetRange() };
-  const vtkSmartPointer<vtkVolumeProperty> property = MakeProperty(MakeTransfer(options, content),
-    options.UnitDistance.value_or(DiagonalOf(input->GetBounds()) / 100));
+  // One image has no next one for which decoded chunks could be kept.
+  const int memory = options.Turntable > 1 ? options.Memory : 0;
+  vtkNew<vtkGatunDefaults> defaults;
+  input->Connect(defaults, memory);
+  const vtkSmartPointer<vtkVolumeProperty> property =
+    MakeImageProperty(ForMode(options), content, defaults, input->GetBounds());
   property->SetShade(options.Shade);
 
   vtkNew<vtkGatunRayCaster> caster;
   caster->SetSize(options.Width, options.Height);
   caster->SetBlendMode(options.BlendMode);
   caster->SetSampleDistance(options.SampleDistance.value_or(0));
-  // One image has no next one for which decoded chunks could be kept.
-  const int memory = options.Turntable > 1 ? options.Memory : 0;
   caster->SetMemoryBudget(memory);
   caster->SetSimplificationRatio(options.Ratio);
   caster->SetTimeBudget(options.TimeBudget);
@@ -149,7 +163,7 @@ void Render(const RenderOptions& options, const Settings& settings)
     return caster->GetOutput();
   };
   const RenderedImages rendered = RenderImages(options, settings,
-    { content, input->GetBounds(), render, [&] { return StatisticsOf(caster); } });
+    { content, input->GetBounds(), defaults, render, [&] { return StatisticsOf(caster); } });
 
   Json::Value json;
   json["input"] = options.Input.File;

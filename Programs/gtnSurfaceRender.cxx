@@ -16,6 +16,7 @@
 #include "gtnTurntable.h"
 
 #include "gatunFileReader.h"
+#include "vtkGatunDefaults.h"
 #include "vtkGatunSurfaceMapper.h"
 #include "vtkGatunSurfaceReader.h"
 
@@ -104,15 +105,17 @@ public:
     }
   }
 
-  void Connect(vtkGatunSurfaceMapper* mapper) const
+  /** Consumer: a mapper or defaults. */
+  template <typename Consumer>
+  void Connect(Consumer* consumer) const
   {
     if (this->Reader)
     {
-      mapper->SetInputConnection(this->Reader->GetOutputPort());
+      consumer->SetInputConnection(this->Reader->GetOutputPort());
     }
     else
     {
-      mapper->SetInputData(this->Surface);
+      consumer->SetInputData(this->Surface);
     }
   }
 
@@ -201,8 +204,13 @@ void SetColors(
     return;
   }
   const ImageContent content{ options.Input.File, input.GetArray()->Name, input.GetRange() };
-  const vtkSmartPointer<vtkVolumeProperty> property =
-    MakeProperty(MakeTransfer(options, content), 1);
+  ImageOptions look = options;
+  if (look.TransferFunction == AutomaticTransfer)
+  {
+    look.TransferFunction = "dusk"; // a surface has no opacities
+  }
+  const vtkSmartPointer<vtkVolumeProperty> property = MakeProperty(MakeTransfer(look, content), 1);
+  SaveTransfer(options, property);
   vtkColorTransferFunction* const colors = property->GetRGBTransferFunction();
   if (input.GetComponent() < 0)
   {
@@ -269,7 +277,9 @@ void RenderSurface(const RenderOptions& options, const Settings& settings)
     input = std::make_unique<const SurfaceInput>(options.Input, options.Memory, progress);
   }
   vtkNew<vtkGatunSurfaceMapper> mapper;
-  input->Connect(mapper);
+  input->Connect(mapper.Get());
+  vtkNew<vtkGatunDefaults> defaults;
+  input->Connect(defaults.Get());
   SetColors(mapper, *input, options);
   mapper->SetMemoryBudget(options.Memory);
   mapper->SetSimplificationRatio(options.Ratio);
@@ -302,7 +312,7 @@ void RenderSurface(const RenderOptions& options, const Settings& settings)
   };
   const std::string array = input->GetArray() ? input->GetArray()->Name : std::string();
   const RenderedImages rendered = RenderImages(options, settings,
-    { { options.Input.File, array, input->GetRange() }, input->GetBounds(), render,
+    { { options.Input.File, array, input->GetRange() }, input->GetBounds(), defaults, render,
       [&] { return StatisticsOf(mapper); } });
 
   Json::Value json;

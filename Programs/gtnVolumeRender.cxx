@@ -15,6 +15,7 @@
 #include "gtnVolumeOptions.h"
 #include "gtnVolumeSource.h"
 
+#include "vtkGatunDefaults.h"
 #include "vtkGatunHartleyEncoder.h"
 #include "vtkGatunHartleyProjection.h"
 #include "vtkGatunHartleyView.h"
@@ -69,8 +70,8 @@ void Check(const Options& options)
   }
 }
 
-void SetUp(
-  vtkGatunHartleyProjection* projection, const Options& options, const VolumeSource& source)
+void SetUp(vtkGatunHartleyProjection* projection, const Options& options,
+  const VolumeSource& source, vtkGatunDefaults* defaults)
 {
   projection->SetSize(options.Width, options.Height);
   projection->SetOpacityModel(options.OpacityModel);
@@ -90,9 +91,8 @@ void SetUp(
   if (options.OpacityModel != vtkGatunHartleyProjection::OPACITY_MODEL_XRAY)
   {
     vtkGatunHartleyView::SetProperty(projection,
-      MakeProperty(
-        MakeTransfer(options, { source.GetFile(), source.GetArray(), source.GetRange() }),
-        options.UnitDistance.value_or(DiagonalOf(source.GetBounds()) / 100)));
+      MakeImageProperty(options, { source.GetFile(), source.GetArray(), source.GetRange() },
+        defaults, source.GetBounds()));
   }
 }
 
@@ -121,7 +121,9 @@ void Render(const Options& options, const Settings& settings)
   CheckImages(options);
   const VolumeSource source(options.Input, settings);
   vtkNew<vtkGatunHartleyProjection> projection;
-  SetUp(projection, options, source);
+  vtkNew<vtkGatunDefaults> defaults;
+  source.Connect(defaults);
+  SetUp(projection, options, source, defaults);
   vtkNew<vtkGatunHartleyEncoder> encoder;
   Connect(projection, encoder, options, settings, source);
   const auto render = [&](vtkCamera* camera, Progress& progress)
@@ -139,8 +141,8 @@ void Render(const Options& options, const Settings& settings)
         static_cast<double>(projection->GetNumberOfCoefficients()) } };
   };
   const RenderedImages rendered = RenderImages(options, settings,
-    { { source.GetFile(), source.GetArray(), source.GetRange() }, source.GetBounds(), render,
-      getStatistics });
+    { { source.GetFile(), source.GetArray(), source.GetRange() }, source.GetBounds(), defaults,
+      render, getStatistics });
 
   const char* const method = Methods.at(static_cast<std::size_t>(projection->GetMethodUsed()));
   Json::Value json;
@@ -272,7 +274,6 @@ void AddRotation(CLI::App* command, CameraOptions& camera)
 void AddVolumeRender(CLI::App& app, Settings& settings)
 {
   auto options = std::make_shared<Options>();
-  options->TransferFunction = "bone";
   options->Camera.Parallel = true;
   CLI::App* command = AddCommand(app, settings, "render",
     "Draw a volume from its Hartley coefficients into a .png or .exr file. A .ghv file is drawn\n"

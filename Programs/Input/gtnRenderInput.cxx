@@ -13,6 +13,7 @@
 #include "gtnText.h"
 
 #include "gatunFileReader.h"
+#include "vtkGatunDefaults.h"
 #include "vtkGatunRayCaster.h"
 #include "vtkGatunReader.h"
 
@@ -107,21 +108,36 @@ void RenderInput::RequireContent() const
 }
 
 //------------------------------------------------------------------------------
-void RenderInput::Connect(vtkGatunRayCaster* caster, int memory) const
+template <typename Consumer>
+void RenderInput::ConnectTo(Consumer* consumer, int memory) const
 {
   if (this->Reader)
   {
     this->Reader->SetMemoryBudget(memory);
-    caster->SetInputConnection(this->Reader->GetOutputPort());
+    consumer->SetInputConnection(this->Reader->GetOutputPort());
   }
   else
   {
-    caster->SetInputData(this->Grid);
+    consumer->SetInputData(this->Grid);
   }
   // The one without a name can only be drawn as the active one.
-  caster->SetArrayName(this->Array.Name.empty() ? nullptr : this->Array.Name.c_str());
-  caster->SetArrayAssociation(this->Array.Association);
-  caster->SetArrayComponent(this->Component);
+  consumer->SetArrayName(this->Array.Name.empty() ? nullptr : this->Array.Name.c_str());
+  consumer->SetArrayAssociation(this->Array.Association);
+  consumer->SetArrayComponent(this->Component);
+}
+
+//------------------------------------------------------------------------------
+void RenderInput::Connect(vtkGatunRayCaster* caster, int memory) const
+{
+  this->ConnectTo(caster, memory);
+}
+
+//------------------------------------------------------------------------------
+void RenderInput::Connect(vtkGatunDefaults* defaults, int memory) const
+{
+  this->ConnectTo(defaults, memory);
+  defaults->SetUseTime(this->Time.has_value());
+  defaults->SetTime(this->Time.value_or(0));
 }
 
 //------------------------------------------------------------------------------

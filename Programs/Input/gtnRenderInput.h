@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+class vtkGatunDefaults;
 class vtkGatunReader;
 class vtkGatunRayCaster;
 class vtkUnstructuredGrid;
@@ -56,10 +57,15 @@ public:
    */
   void Connect(vtkGatunRayCaster* caster, int memory) const;
 
+  /** Gives the defaults the mesh and the array to draw. Memory: as above. */
+  void Connect(vtkGatunDefaults* defaults, int memory) const;
+
   /** Makes the caster draw. */
   void Draw(vtkGatunRayCaster* caster) const;
 
 private:
+  template <typename Consumer>
+  void ConnectTo(Consumer* consumer, int memory) const;
   void OpenFile(const RenderInputOptions& options);
   void Read(const RenderInputOptions& options, Progress& progress);
   void Choose(const RenderInputOptions& options, const std::vector<ArrayChoice>& choices);

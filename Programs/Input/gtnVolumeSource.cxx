@@ -10,6 +10,7 @@
 #include "gtnText.h"
 
 #include "gatunHartleyFile.h"
+#include "vtkGatunDefaults.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageAlgorithm.h"
@@ -105,6 +106,19 @@ void VolumeSource::Connect(vtkImageAlgorithm* algorithm) const
   else
   {
     algorithm->SetInputData(this->Volume);
+  }
+}
+
+//------------------------------------------------------------------------------
+void VolumeSource::Connect(vtkGatunDefaults* defaults) const
+{
+  if (this->Reader)
+  {
+    defaults->SetInputConnection(this->Reader->GetOutputPort());
+  }
+  else
+  {
+    defaults->SetInputData(this->Volume);
   }
 }
 }

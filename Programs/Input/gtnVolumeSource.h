@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <string>
 
+class vtkGatunDefaults;
 class vtkImageAlgorithm;
 class vtkImageData;
 
@@ -46,6 +47,7 @@ public:
 
   /** Makes the volume the input of an algorithm. */
   void Connect(vtkImageAlgorithm* algorithm) const;
+  void Connect(vtkGatunDefaults* defaults) const;
 
 private:
   void OpenFile();

@@ -7,6 +7,8 @@
 #include "gtnJson.h"
 #include "gtnText.h"
 
+#include "vtkGatunDefaults.h"
+
 #include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -96,28 +98,22 @@ CameraFile ReadCameraFile(const std::string& file)
   return camera;
 }
 
-// As vtkRenderer::ResetCamera does, which would need a window to know the aspect.
-void ShowAll(vtkCamera* camera, const gatun::Bounds& bounds, double aspect)
+/** Looks along z at the middle of a box, from so far that all of it is seen. */
+void LookAt(vtkCamera* camera, const gatun::Bounds& box, double aspect)
 {
   Vector center{};
   double radius = 0;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    center[i] = bounds[i].Min / 2 + bounds[i].Max / 2;
-    radius = std::hypot(radius, bounds[i].Max / 2 - bounds[i].Min / 2);
+    center[i] = box[i].Min / 2 + box[i].Max / 2;
+    radius = std::hypot(radius, box[i].Max / 2 - box[i].Min / 2);
   }
   radius = radius > 0 ? radius : 0.5; // a lone point
-  double halfAngle = vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2;
-  double scale = radius;
-  if (aspect < 1)
-  {
-    halfAngle = std::atan(std::tan(halfAngle) * aspect);
-    scale /= aspect;
-  }
-  const double distance = radius / std::sin(halfAngle);
+  const double narrow = std::min(1., aspect);
+  const double tangent = narrow * std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2);
   camera->SetFocalPoint(center.data());
-  camera->SetPosition(center[0], center[1], center[2] + distance);
-  camera->SetParallelScale(scale);
+  camera->SetPosition(center[0], center[1], center[2] + radius / std::sin(std::atan(tangent)));
+  camera->SetParallelScale(radius / narrow);
 }
 
 void Apply(const CameraFile& wanted, vtkCamera* camera)
@@ -206,21 +202,77 @@ void Turn(vtkCamera* camera, const Vector& turns)
   camera->SetViewUp(up.data());
 }
 
+/** If z is up, looks along y instead of z, unless the file tells from where to look. */
+void LookAcross(vtkCamera* camera, const CameraFile& wanted)
+{
+  const Vector& up = *wanted.ViewUp;
+  if (!wanted.Position && up[0] == 0 && up[1] == 0)
+  {
+    const double distance = camera->GetDistance();
+    const double* const focus = camera->GetFocalPoint();
+    camera->SetPosition(focus[0], focus[1] - distance, focus[2]);
+  }
+}
+
+/** Moves the camera to where the object fills the image, unless the file tells its place. */
+void Fit(
+  vtkCamera* camera, const CameraFile& wanted, const CameraSubject& subject, const Vector& axis)
+{
+  if (!wanted.Position)
+  {
+    if (wanted.FocalPoint)
+    {
+      const Vector& focus = *wanted.FocalPoint;
+      subject.Defaults->FitCameraAt(camera, subject.Aspect, focus[0], focus[1], focus[2]);
+    }
+    else if (subject.Images > 1)
+    {
+      subject.Defaults->FitCameraAround(
+        camera, subject.Aspect, subject.Images, axis[0], axis[1], axis[2]);
+    }
+    else
+    {
+      subject.Defaults->FitCamera(camera, subject.Aspect);
+    }
+  }
+  if (wanted.ParallelScale)
+  {
+    camera->SetParallelScale(*wanted.ParallelScale);
+  }
+}
+
+/** Moves the camera around its focal point. */
+void Revolve(vtkCamera* camera, const Vector& axis, double degrees)
+{
+  const std::array<double, 4> rotation{ vtkMath::RadiansFromDegrees(degrees), axis[0], axis[1],
+    axis[2] };
+  Vector arm{};
+  vtkMath::Subtract(camera->GetPosition(), camera->GetFocalPoint(), arm.data());
+  Vector turned{};
+  vtkMath::RotateVectorByWXYZ(arm.data(), rotation.data(), turned.data());
+  Vector up{};
+  vtkMath::RotateVectorByWXYZ(camera->GetViewUp(), rotation.data(), up.data());
+  const double* const center = camera->GetFocalPoint();
+  camera->SetPosition(center[0] + turned[0], center[1] + turned[1], center[2] + turned[2]);
+  camera->SetViewUp(up.data());
+}
+
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkCamera> MakeCamera(
-  const CameraOptions& options, const gatun::Bounds& bounds, double aspect, double turn)
+std::vector<vtkSmartPointer<vtkCamera>> MakeCameras(
+  const CameraOptions& options, const CameraSubject& subject)
 {
   const CameraFile wanted = options.File.empty() ? CameraFile() : ReadCameraFile(options.File);
   vtkNew<vtkCamera> camera;
   camera->SetParallelProjection(options.Parallel ? 1 : 0);
   camera->SetViewAngle(wanted.ViewAngle.value_or(30));
-  ShowAll(camera, bounds, aspect);
+  LookAt(camera, subject.Box, subject.Aspect);
   Apply(wanted, camera);
   if (wanted.ViewUp)
   {
     camera->SetViewUp(wanted.ViewUp->data());
+    LookAcross(camera, wanted);
   }
   if (!options.File.empty())
   {
@@ -230,13 +282,26 @@ vtkSmartPointer<vtkCamera> MakeCamera(
   {
     Turn(camera, *options.Turns);
   }
+  Vector axis{};
+  camera->GetViewUp(axis.data());
+  vtkMath::Normalize(axis.data());
   // A given position is kept.
   const bool isPlaced = wanted.Position || options.Turns;
-  camera->Azimuth(options.Azimuth.value_or(isPlaced ? 0 : 30) + turn);
+  camera->Azimuth(options.Azimuth.value_or(isPlaced ? 0 : 30));
   Elevate(camera, options.Elevation.value_or(isPlaced ? 0 : 20));
   camera->Roll(options.Roll);
+  Fit(camera, wanted, subject, axis);
   camera->Zoom(options.Zoom);
-  return camera;
+
+  std::vector<vtkSmartPointer<vtkCamera>> cameras;
+  for (int i = 0; i < subject.Images; ++i)
+  {
+    auto turned = vtkSmartPointer<vtkCamera>::New();
+    turned->DeepCopy(camera);
+    Revolve(turned, axis, 360. * i / subject.Images);
+    cameras.push_back(turned);
+  }
+  return cameras;
 }
 
 //------------------------------------------------------------------------------

@@ -14,8 +14,10 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 class vtkCamera;
+class vtkGatunDefaults;
 
 namespace gtn
 {
@@ -33,11 +35,20 @@ struct CameraOptions
   std::optional<std::array<double, 3>> Turns;
 };
 
-/** Makes a camera that sees a whole box, as vtkRenderer::ResetCamera places it, with the values of
- * the file in place of those. Then the other options move it, with a given number of degrees added
- * to the azimuth. Throws Failure for the file if the result is no view. */
-vtkSmartPointer<vtkCamera> MakeCamera(
-  const CameraOptions& options, const gatun::Bounds& bounds, double aspect, double turn);
+/** What is seen, and by how many images. */
+struct CameraSubject
+{
+  gatun::Bounds Box;
+  vtkGatunDefaults* Defaults = nullptr; ///< its input is the object
+  double Aspect = 1;                    ///< of the images
+  int Images = 1;                       ///< of a turntable
+};
+
+/** Makes the cameras of all images. They see the whole object, which fills the image as
+ * vtkGatunDefaults fits it, with the values of the file in place of those. The other options move
+ * them. Throws Failure for the file if the result is no view. */
+std::vector<vtkSmartPointer<vtkCamera>> MakeCameras(
+  const CameraOptions& options, const CameraSubject& subject);
 
 /** Returns a camera in the form of such a file. */
 Json::Value DescribeCamera(vtkCamera* camera);

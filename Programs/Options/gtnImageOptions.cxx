@@ -5,12 +5,16 @@
 
 #include "gtnFailure.h"
 #include "gtnJson.h"
+#include "gtnMessages.h"
 #include "gtnParse.h"
 #include "gtnText.h"
 
 #include "gatunVersion.h"
+#include "vtkGatunDefaults.h"
 
 #include "vtkCamera.h"
+#include "vtkNew.h"
+#include "vtkVolumeProperty.h"
 
 #include <fmt/core.h>
 
@@ -88,6 +92,41 @@ void AddParsed(CLI::App* command, const char* name, ImageOptions& options,
     ->group(group);
 }
 
+/** Throws Failure if no value is a number that colors can be given to. */
+void RequireRange(const ImageContent& content)
+{
+  const gatun::Range& range = content.Range;
+  if (range.IsEmpty() || !std::isfinite(range.Min) || !std::isfinite(range.Max))
+  {
+    throw Failure(content.File,
+      fmt::format(
+        "array '{}' has no finite range of values; give --range", Printable(content.Array)));
+  }
+}
+
+vtkSmartPointer<vtkVolumeProperty> MakeAutomatic(
+  const ImageOptions& options, const ImageContent& content, vtkGatunDefaults* defaults, double unit)
+{
+  if (options.Range)
+  {
+    defaults->SetRange(options.Range->Min, options.Range->Max);
+  }
+  else
+  {
+    RequireRange(content);
+  }
+  defaults->SetUnitDistance(unit);
+  auto property = vtkSmartPointer<vtkVolumeProperty>::New();
+  const bool isMade = defaults->MakeProperty(property);
+  CheckMessages(content.File, true);
+  if (!isMade)
+  {
+    throw Failure(content.File, "there is no default transfer function; give --tf");
+  }
+  ScaleOpacity(property->GetScalarOpacity(), options.Opacity);
+  return property;
+}
+
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
@@ -140,7 +179,8 @@ void AddViewOptions(CLI::App* command, CameraOptions& camera, const std::string&
     "Rotation of the camera about its viewing direction in degrees, -360 to 360 (default: 0)",
     "DEG");
   add("--zoom", camera.Zoom, Between(0.2, 1000),
-    fmt::format("Magnification, 0.2 to 1000; 1 shows the whole {} (default: 1)", what).c_str(),
+    fmt::format("Magnification, 0.2 to 1000; with 1 the {} fills the image (default: 1)", what)
+      .c_str(),
     "F");
   command
     ->add_option("--camera", camera.File,
@@ -157,11 +197,19 @@ void AddColorOptions(CLI::App* command, ImageOptions& options, const std::string
   const char* const group = "Colors and opacities";
   command
     ->add_option("--tf", options.TransferFunction,
-      fmt::format("Transfer function: a preset ({}), or a .json file with a color map of ParaView "
-                  "(default: {}). Presets and color maps from 0 to 1 are scaled to the range of "
-                  "the array. Values outside the range are clamped",
-        Joined(GetPresetNames()), options.TransferFunction))
+      fmt::format(
+        "Transfer function: auto, made from the histogram of the values, of which frequent "
+        "ones become transparent; a preset ({}); or a .json file with a color map of "
+        "ParaView (default: auto). Presets and color maps from 0 to 1 are scaled to the "
+        "range of the array. Values outside the range are clamped",
+        Joined(GetPresetNames())))
     ->option_text("PRESET|FILE")
+    ->group(group);
+  command
+    ->add_option("--save-tf", options.SaveTransfer,
+      "Write the transfer function to a .json file, which ParaView imports as a color map and --tf "
+      "reads")
+    ->option_text("FILE")
     ->group(group);
   AddParsed(command, "--range", options, ParseTransferRange,
     "Range of values to scale the transfer function to", "LO,HI", group);
@@ -212,13 +260,8 @@ Transfer MakeTransfer(const ImageOptions& options, const ImageContent& content)
   }
   else if (IsNormalized(transfer))
   {
+    RequireRange(content);
     gatun::Range range = content.Range;
-    if (!(range.Min <= range.Max) || !std::isfinite(range.Min) || !std::isfinite(range.Max))
-    {
-      throw Failure(content.File,
-        fmt::format(
-          "array '{}' has no finite range of values; give --range", Printable(content.Array)));
-    }
     if (range.Min == range.Max)
     {
       // A lone value gets the middle.
@@ -229,6 +272,31 @@ Transfer MakeTransfer(const ImageOptions& options, const ImageContent& content)
   }
   ScaleOpacity(transfer, options.Opacity);
   return transfer;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkVolumeProperty> MakeImageProperty(const ImageOptions& options,
+  const ImageContent& content, vtkGatunDefaults* defaults, const gatun::Bounds& box)
+{
+  const double unit = DiagonalOf(box) / 100;
+  const auto property = options.TransferFunction == AutomaticTransfer
+    ? MakeAutomatic(options, content, defaults, unit)
+    : MakeProperty(MakeTransfer(options, content), unit);
+  if (options.UnitDistance)
+  {
+    property->SetScalarOpacityUnitDistance(*options.UnitDistance);
+  }
+  SaveTransfer(options, property);
+  return property;
+}
+
+//------------------------------------------------------------------------------
+void SaveTransfer(const ImageOptions& options, vtkVolumeProperty* property)
+{
+  if (!options.SaveTransfer.empty())
+  {
+    WriteTransfer(property, options.TransferFunction, options.SaveTransfer);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -19,9 +19,14 @@
 #include <vector>
 
 class vtkCamera;
+class vtkGatunDefaults;
+class vtkVolumeProperty;
 
 namespace gtn
 {
+/** The transfer function that vtkGatunDefaults makes. */
+constexpr const char* AutomaticTransfer = "auto";
+
 struct ImageOptions
 {
   std::string Out;
@@ -33,10 +38,11 @@ struct ImageOptions
 
   CameraOptions Camera;
 
-  std::string TransferFunction = "dusk";
+  std::string TransferFunction = AutomaticTransfer;
   std::optional<gatun::Range> Range;
   double Opacity = 1;
   std::optional<double> UnitDistance;
+  std::string SaveTransfer; ///< file; may be empty
 
   bool Statistics = false;
   bool Json = false;
@@ -65,8 +71,17 @@ gatun::Range ParseRange(const char* option, const std::string& text);
 /** Returns OUT, or for a turntable OUT with numbers before its extension. */
 std::vector<std::string> NameImages(const ImageOptions& options);
 
-/** Returns the transfer function, scaled as the options demand. Throws Failure. */
+/** Returns the preset or file, scaled as the options demand. Throws Failure. */
 Transfer MakeTransfer(const ImageOptions& options, const ImageContent& content);
+
+/** Returns the transfer function, with the unit distance, scaled as the options demand, and saves
+ * it if they want that. Defaults:
+ * their input is the object, whose box is given. Throws Failure. */
+vtkSmartPointer<vtkVolumeProperty> MakeImageProperty(const ImageOptions& options,
+  const ImageContent& content, vtkGatunDefaults* defaults, const gatun::Bounds& box);
+
+/** Saves the functions of a property if the options want that. Throws Failure. */
+void SaveTransfer(const ImageOptions& options, vtkVolumeProperty* property);
 
 /** Returns the diagonal of a box, or 1 if it is not finite and above 0. */
 double DiagonalOf(const gatun::Bounds& bounds);

@@ -7,6 +7,8 @@
 #include "gtnText.h"
 #include "gtnTransfer.h"
 
+#include "gatunDefaultOpacity.h"
+
 #include <fmt/core.h>
 
 #include <filesystem>
@@ -22,6 +24,16 @@ struct Preset
   Transfer Functions;
 };
 
+std::vector<ColorNode> GetDusk()
+{
+  std::vector<ColorNode> nodes;
+  for (const gatun::DefaultColor& color : gatun::GetDefaultColors())
+  {
+    nodes.push_back({ color.Value, color.RGB[0], color.RGB[1], color.RGB[2] });
+  }
+  return nodes;
+}
+
 const std::vector<Preset>& GetPresets()
 {
   static const std::vector<Preset> presets{
@@ -30,11 +42,8 @@ const std::vector<Preset>& GetPresets()
       { { { 0, 0.20, 0.28, 0.78 }, { 0.5, 0.88, 0.87, 0.86 }, { 1, 0.74, 0.04, 0.14 } },
         { { 0, 0.05 }, { 0.25, 0.03 }, { 0.5, 0.02 }, { 0.75, 0.15 }, { 1, 0.5 } },
         ColorSpace::Lab } },
-    // From dark to light, for all kinds of color vision.
-    { "dusk",
-      { { { 0, 0.30, 0.10, 0.45 }, { 0.3, 0.23, 0.36, 0.60 }, { 0.6, 0.13, 0.62, 0.54 },
-          { 0.85, 0.60, 0.83, 0.25 }, { 1, 0.99, 0.91, 0.20 } },
-        { { 0, 0.01 }, { 0.3, 0.06 }, { 1, 0.45 } }, ColorSpace::Lab } },
+    // The default colors.
+    { "dusk", { GetDusk(), { { 0, 0.01 }, { 0.3, 0.06 }, { 1, 0.45 } }, ColorSpace::Lab } },
     // What is high glows.
     { "heat",
       { { { 0, 0.10, 0.00, 0.02 }, { 0.35, 0.70, 0.06, 0.02 }, { 0.7, 1.00, 0.55, 0.05 },

@@ -49,6 +49,18 @@ void ScaleOpacity(Transfer& transfer, double factor)
 }
 
 //------------------------------------------------------------------------------
+void ScaleOpacity(vtkPiecewiseFunction* opacity, double factor)
+{
+  for (int i = 0; i < opacity->GetSize(); ++i)
+  {
+    double node[4]; // value, opacity, midpoint, sharpness
+    opacity->GetNodeValue(i, node);
+    node[1] = std::min(node[1] * factor, 1.0);
+    opacity->SetNodeValue(i, node);
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkVolumeProperty> MakeProperty(const Transfer& transfer, double unitDistance)
 {
   vtkNew<vtkColorTransferFunction> colors;

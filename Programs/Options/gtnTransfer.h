@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+class vtkPiecewiseFunction;
 class vtkVolumeProperty;
 
 namespace gtn
@@ -63,6 +64,9 @@ Transfer FindTransfer(const std::string& presetOrFile);
 /** From a file. Throws Failure. */
 Transfer ReadTransfer(const std::string& file);
 
+/** Writes functions of a property to a file that ReadTransfer and ParaView read. Throws Failure. */
+void WriteTransfer(vtkVolumeProperty* property, const std::string& name, const std::string& file);
+
 /** Whether the colors are for values of 0 to 1, to be stretched to those of the mesh. */
 bool IsNormalized(const Transfer& transfer);
 
@@ -71,6 +75,9 @@ void Stretch(Transfer& transfer, const gatun::Range& range);
 
 /** Multiplies all opacities, which stay at most 1. */
 void ScaleOpacity(Transfer& transfer, double factor);
+
+/** The same for a function of VTK. */
+void ScaleOpacity(vtkPiecewiseFunction* opacity, double factor);
 
 /** What vtkGatunRayCaster wants to have; the opacities are those of a length of unitDistance. */
 vtkSmartPointer<vtkVolumeProperty> MakeProperty(const Transfer& transfer, double unitDistance);

@@ -9,7 +9,12 @@
 
 #include "gtnFailure.h"
 #include "gtnJson.h"
+#include "gtnOutput.h"
 #include "gtnText.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeProperty.h"
 
 #include <fmt/core.h>
 
@@ -134,5 +139,52 @@ Transfer ReadTransfer(const std::string& file)
   }
   transfer.Space = mapFile.ReadSpace(map);
   return transfer;
+}
+
+//------------------------------------------------------------------------------
+void WriteTransfer(vtkVolumeProperty* property, const std::string& name, const std::string& file)
+{
+  vtkColorTransferFunction* const colors = property->GetRGBTransferFunction();
+  vtkPiecewiseFunction* const opacities = property->GetScalarOpacity();
+  constexpr std::array<std::pair<int, const char*>, 6> spaces{ {
+    { VTK_CTF_RGB, "RGB" },
+    { VTK_CTF_HSV, "HSV" },
+    { VTK_CTF_LAB, "Lab" },
+    { VTK_CTF_LAB_CIEDE2000, "Lab/CIEDE2000" },
+    { VTK_CTF_DIVERGING, "Diverging" },
+    { VTK_CTF_STEP, "Step" },
+  } };
+  Json::Value map;
+  map["Name"] = name;
+  map["ColorSpace"] = std::find_if(spaces.begin(), spaces.end(),
+    [&](const auto& space) {
+      return space.first == colors->GetColorSpace();
+    })->second;
+  map["RGBPoints"] = Json::arrayValue;
+  for (int i = 0; i < colors->GetSize(); ++i)
+  {
+    std::array<double, 6> node{}; // value, red, green, blue, midpoint, sharpness
+    colors->GetNodeValue(i, node.data());
+    std::for_each(node.begin(), node.begin() + 4, [&](double x) { map["RGBPoints"].append(x); });
+  }
+  map["Points"] = Json::arrayValue;
+  for (int i = 0; i < opacities->GetSize(); ++i)
+  {
+    std::array<double, 4> node{}; // value, opacity, midpoint, sharpness
+    opacities->GetNodeValue(i, node.data());
+    std::for_each(node.begin(), node.end(), [&](double x) { map["Points"].append(x); });
+  }
+  Json::Value list(Json::arrayValue);
+  list.append(map);
+  TemporaryFile temporary(file);
+  try
+  {
+    WriteBytes(temporary.GetName(), JsonText(list));
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure(file, failure.what());
+  }
+  temporary.Commit();
 }
 }

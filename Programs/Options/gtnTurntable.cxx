@@ -30,6 +30,10 @@ void CheckImages(const ImageOptions& options)
   {
     CheckWritable(file, options.Overwrite);
   }
+  if (!options.SaveTransfer.empty())
+  {
+    CheckWritable(options.SaveTransfer, options.Overwrite);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -38,11 +42,13 @@ RenderedImages RenderImages(
 {
   const std::vector<std::string> files = NameImages(options);
   const double aspect = static_cast<double>(options.Width) / options.Height;
+  const auto cameras = MakeCameras(
+    options.Camera, { renderer.Bounds, renderer.Defaults, aspect, static_cast<int>(files.size()) });
+  CheckMessages(renderer.Content.File, settings.Quiet);
   RenderedImages rendered;
   for (std::size_t i = 0; i < files.size(); ++i)
   {
-    const double turn = 360 * static_cast<double>(i) / static_cast<double>(files.size());
-    RenderedImage image{ files[i], MakeCamera(options.Camera, renderer.Bounds, aspect, turn), {} };
+    RenderedImage image{ files[i], cameras[i], {} };
     Progress progress(
       files.size() > 1 ? fmt::format("rendering {} of {}", i + 1, files.size()) : "rendering",
       settings.ShowProgress);

@@ -16,6 +16,7 @@
 #include <vector>
 
 class vtkCamera;
+class vtkGatunDefaults;
 class vtkImageData;
 
 namespace gtn
@@ -27,6 +28,7 @@ struct Renderer
 {
   ImageContent Content;
   gatun::Bounds Bounds;
+  vtkGatunDefaults* Defaults = nullptr; ///< for the camera
   std::function<vtkImageData*(vtkCamera* camera, Progress& progress)> Render;
   std::function<Statistics()> GetStatistics; ///< of the last image
 };

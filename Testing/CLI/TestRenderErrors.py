@@ -210,7 +210,8 @@ for content, says in (
     ({"parallelScale": 0}, "parallelScale is not a number above 0"),
     ({"position": [1, 2, 3], "focalPoint": [1, 2, 3]}, "position and focalPoint are the same"),
     ({"viewUp": [0, 0, 0]}, "viewUp has no direction across the view"),
-    ({"viewUp": [0, 0, -2]}, "viewUp has no direction across the view"),
+    ({"viewUp": [0, 0, -2], "position": [4, 4, 30], "focalPoint": [4, 4, 4]},
+     "viewUp has no direction across the view"),
 ):
     write_json("bad.json", content)
     fails("--camera", "bad.json", says="gtn: bad.json: ")

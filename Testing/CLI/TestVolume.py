@@ -138,15 +138,15 @@ for options in (["--method", "slice"], ["--method", "slice", "--padding", 3], ["
 # Turned by the dissertation's angles: looked at along z, x to the right and y down.
 plain = gv.field(seed=5).astype(np.uint16)
 gv.write_image(gv.make_image(plain), "plain.vti")
-sums = gtn("volume", "render", "-f", "--opacity-model", "xray", "--rotate", "0,0,0", "--rms-error", 0, "--size",
+sums = gtn("volume", "render", "-f", "--json", "--opacity-model", "xray", "--rotate", "0,0,0", "--rms-error", 0, "--size",
            "60x50", "plain.vti", "turned.png")
 turned = gv.read_image("turned.png")
 gray = gv.vtk_to_numpy(turned.GetPointData().GetScalars()).reshape(50, 60, -1)[::-1, :, 0].astype(float)
 total = plain.sum(0).astype(float)
 rows, columns = np.nonzero(gray > 0.95 * gray.max())
 y, x = np.nonzero(total > 0.95 * total.max())
-radius = np.linalg.norm((np.array(plain.shape) - 1) / 2)
-pixel = 2 * radius / 50
+camera = json.loads(sums)["images"][0]["camera"]
+pixel = 2 * camera["parallelScale"] / 50
 found = (columns.mean() - 29.5) * pixel + 8.5, (rows.mean() - 24.5) * pixel + 6.5
 assert np.hypot(found[0] - x.mean(), found[1] - y.mean()) < 0.8, (found, x.mean(), y.mean())
 

@@ -7,7 +7,7 @@ import numpy as np
 import vtkmodules.vtkInteractionStyle  # noqa: F401
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkPlane, vtkUnstructuredGrid
 from vtkmodules.vtkCommonTransforms import vtkTransform
@@ -24,11 +24,11 @@ from vtkmodules.vtkRenderingCore import (
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
-    vtkTextActor,
     vtkWindowToImageFilter,
 )
 
 INK = (0.13, 0.16, 0.20)
+SIZE = (1400, 1000)
 
 # Dark blue over green and yellow to pale: even steps for the eye, and for color-blind ones.
 COLORS = (
@@ -67,6 +67,18 @@ def skin_of(grid):
     return normals.GetOutput()
 
 
+def values_of(array):
+    """Numbers of an array; of vectors, their lengths."""
+    values = vtk_to_numpy(array).astype(np.float64)
+    return np.linalg.norm(values, axis=1) if values.ndim > 1 else values
+
+
+def set_scalars(data, values, name):
+    array = numpy_to_vtk(values, deep=True)
+    array.SetName(name)
+    data.GetPointData().SetScalars(array)
+
+
 class Field:
     """What to color by: a point or cell array, and the range that its colors span."""
 
@@ -86,9 +98,7 @@ class Field:
 
     def _take(self, array):
         """Takes the range of an array; false if all its values are the same."""
-        values = vtk_to_numpy(array).astype(np.float64)
-        if values.ndim > 1:
-            values = np.linalg.norm(values, axis=1)
+        values = values_of(array)
         values = values[np.isfinite(values)]
         if len(values) == 0 or values.min() == values.max():
             return False
@@ -148,30 +158,19 @@ def scalar_bar(mapper, title):
     bar.SetMaximumNumberOfColors(512)
     bar.SetTextPad(10)
     bar.SetLabelFormat("%-#.3g")
-    bar.SetPosition(0.885, 0.16)
-    bar.SetWidth(0.075)
+    bar.SetPosition(0.80, 0.14)
+    bar.SetWidth(0.18)
     bar.SetHeight(0.66)
-    bar.SetBarRatio(0.3)
+    bar.SetBarRatio(0.14)
     bar.SetUnconstrainedFontSize(True)
-    for text, size in ((bar.GetTitleTextProperty(), 19), (bar.GetLabelTextProperty(), 18)):
+    for text, size in ((bar.GetTitleTextProperty(), 22), (bar.GetLabelTextProperty(), 21)):
         text.SetColor(*INK)
         text.SetFontSize(size)
         text.ItalicOff()
         text.BoldOff()
         text.ShadowOff()
-    bar.GetTitleTextProperty().SetJustificationToRight()
+    bar.GetTitleTextProperty().SetJustificationToLeft()
     return bar
-
-
-def caption(words):
-    text = vtkTextActor()
-    text.SetInput(words)
-    text.SetPosition(36, 34)
-    look = text.GetTextProperty()
-    look.SetFontSize(24)
-    look.SetColor(*INK)
-    look.SetLineSpacing(1.2)
-    return text
 
 
 def fit(renderer, horizontal, vertical):
@@ -193,7 +192,7 @@ def fit(renderer, horizontal, vertical):
     camera.SetWindowCenter(*(0.5 * (low + high) - 0.5 * np.array([sum(horizontal), sum(vertical)])))
 
 
-def draw(actors, words, name, bar=None, direction=(0.62, -0.95, 0.72)):
+def draw(actors, name, bar=None, direction=(0.62, -0.95, 0.72)):
     """Renders to a PNG file, seen from a direction."""
     renderer = vtkRenderer()
     renderer.SetBackground(0.86, 0.88, 0.91)
@@ -208,16 +207,14 @@ def draw(actors, words, name, bar=None, direction=(0.62, -0.95, 0.72)):
         renderer.AddLight(light)
     for actor in actors:
         renderer.AddActor(actor)
-    renderer.AddViewProp(caption(words))
     if bar:
         renderer.AddViewProp(bar)
     renderer.SetUseDepthPeeling(False)
 
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
-    window.SetMultiSamples(0)
-    window.SetSize(2800, 2000)
-    window.SetDPI(144)
+    window.SetMultiSamples(4)
+    window.SetSize(*SIZE)
     window.AddRenderer(renderer)
     camera = renderer.GetActiveCamera()
     camera.SetViewAngle(24)
@@ -225,8 +222,8 @@ def draw(actors, words, name, bar=None, direction=(0.62, -0.95, 0.72)):
     camera.SetFocalPoint(0, 0, 0)
     camera.SetViewUp(0, 0, 1)
     renderer.ResetCamera()
-    # Room for the scale on the right, and for the caption.
-    fit(renderer, (-0.92, 0.70 if bar else 0.92), (-0.82, 0.90))
+    # Room for the scale on the right.
+    fit(renderer, (-0.94, 0.58 if bar else 0.94), (-0.94, 0.94))
     renderer.ResetCameraClippingRange()
     window.Render()
     picture = vtkWindowToImageFilter()
@@ -238,9 +235,10 @@ def draw(actors, words, name, bar=None, direction=(0.62, -0.95, 0.72)):
     writer.Write()
 
 
-def draw_surface(grid, field, words, name, vectors=None):
-    """The whole, bent as its displacement says, but much more."""
+def draw_surface(grid, field, name, vectors=None):
+    """The whole, bent as its displacement says, but much more. Returns words about that."""
     shown = grid
+    words = ""
     if vectors:
         largest = grid.GetPointData().GetArray(vectors).GetMaxNorm()
         bounds = grid.GetBounds()
@@ -249,15 +247,16 @@ def draw_surface(grid, field, words, name, vectors=None):
         warp.SetInputDataObject(grid)
         warp.SetInputArrayToProcess(0, 0, 0, 0, vectors)
         warp.SetScaleFactor(0.04 * size / largest if largest else 0)
-        words = f"{words}, displacement {warp.GetScaleFactor():.0f} times as large"
+        words = f", displacement {warp.GetScaleFactor():.0f} times as large"
         warp.Update()
         shown = warp.GetOutput()
     actor = actor_of(skin_of(shown), field)
     bar = scalar_bar(actor.GetMapper(), field.array) if field.array else None
-    draw([actor], words, name, bar)
+    draw([actor], name, bar)
+    return words
 
 
-def draw_cut(grid, field, words, name):
+def draw_cut(grid, field, name):
     """The tetrahedra on one side of a plane through the middle, with their edges."""
     plane = vtkPlane()
     plane.SetOrigin(*grid.GetCenter())
@@ -273,10 +272,10 @@ def draw_cut(grid, field, words, name):
     actor = actor_of(surface.GetOutput(), field, edges=True)
     actor.GetProperty().SetInterpolationToFlat()
     bar = scalar_bar(actor.GetMapper(), field.array) if field.array else None
-    draw([actor], words, name, bar, direction=(0.35, -1.0, 0.42))
+    draw([actor], name, bar, direction=(0.35, -1.0, 0.42))
 
 
-def draw_isosurfaces(file, grid, field, words, name):
+def draw_isosurfaces(file, grid, field, name):
     """Surfaces in a .vtp file, and the whole as a shadow around them."""
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(file)
@@ -285,7 +284,7 @@ def draw_isosurfaces(file, grid, field, words, name):
     shadow = actor_of(skin_of(grid), color=(0.45, 0.5, 0.58))
     shadow.GetProperty().SetOpacity(0.12)
     shadow.GetProperty().SetSpecular(0)
-    draw([actor, shadow], words, name, scalar_bar(actor.GetMapper(), field.array))
+    draw([actor, shadow], name, scalar_bar(actor.GetMapper(), field.array))
 
 
 def piece_color(index):
@@ -295,7 +294,7 @@ def piece_color(index):
     return [0.30 + 0.55 * part for part in wheel]
 
 
-def draw_pieces(pieces, words, name):
+def draw_pieces(pieces, name):
     """The pieces, each moved outwards from the middle of all."""
     bounds = np.array([piece.GetBounds() for piece in pieces]).reshape(-1, 3, 2)
     center = 0.5 * (bounds[:, :, 0].min(axis=0) + bounds[:, :, 1].max(axis=0))
@@ -310,7 +309,7 @@ def draw_pieces(pieces, words, name):
         move.SetTransform(shift)
         move.Update()
         actors.append(actor_of(move.GetOutput(), color=piece_color(index)))
-    draw(actors, words, name)
+    draw(actors, name)
 
 
 def copy_of(grid):
