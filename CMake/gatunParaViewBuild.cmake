@@ -6,6 +6,11 @@ if (NOT PARAVIEW_USE_QT AND NOT PARAVIEW_USE_PYTHON)
   message(STATUS "Gatun: this ParaView has neither a window nor Python; the plugin is built anyway.")
 endif ()
 
+if (GATUN_ENABLE_TETGEN)
+  list(APPEND gatun_module_files
+    "${CMAKE_CURRENT_SOURCE_DIR}/Filters/TetGen/vtk.module")
+endif ()
+
 paraview_plugin_scan(
   PLUGIN_FILES            "${CMAKE_CURRENT_SOURCE_DIR}/paraview_plugin/paraview.plugin"
   PROVIDES_PLUGINS        gatun_plugins
@@ -18,6 +23,7 @@ paraview_plugin_build(
   LIBRARY_DESTINATION  "${CMAKE_INSTALL_LIBDIR}"
   LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
   PLUGINS_FILE_NAME    gatun.plugins.xml
+  PLUGINS_COMPONENT    plugin
   INSTALL_HEADERS      OFF
   PLUGINS              ${gatun_plugins})
 

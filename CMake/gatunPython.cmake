@@ -4,7 +4,8 @@
 #
 # DESTINATION is the folder of Python modules, from the build tree and from the prefix. MODULES are as
 # vtk_module_wrap_python gives them, such as VTK::GatunIO. gatun_python_path is set to the folder in the
-# build tree.
+# build tree. The stubs of vtkGatunTetGen are in the install component of that module, which may be left
+# out of an installation.
 function (gatun_add_python_package)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "DESTINATION" "MODULES")
   set(source "${PROJECT_SOURCE_DIR}/Python")
@@ -46,7 +47,7 @@ function (gatun_add_python_package)
       list(APPEND stubs "${folder}/vtk${name}.pyi")
       list(APPEND targets "vtk${name}Python")
     endforeach ()
-    foreach (module IN LISTS gatun_module_files)
+    foreach (module IN LISTS gatun_module_files ITEMS "${PROJECT_SOURCE_DIR}/Filters/TetGen/vtk.module")
       get_filename_component(module "${module}" DIRECTORY)
       list(APPEND headers "${module}")
     endforeach ()
@@ -63,6 +64,12 @@ function (gatun_add_python_package)
     list(APPEND files ${stubs})
   endif ()
 
+  set(tetgen_files ${files})
+  list(FILTER tetgen_files INCLUDE REGEX "/vtkGatunTetGen\\.pyi$")
+  list(FILTER files EXCLUDE REGEX "/vtkGatunTetGen\\.pyi$")
+  install(FILES ${tetgen_files}
+    DESTINATION "${arg_DESTINATION}/gatun"
+    COMPONENT   tetgen_python)
   install(FILES ${files}
     DESTINATION "${arg_DESTINATION}/gatun"
     COMPONENT   python)

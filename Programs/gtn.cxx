@@ -92,8 +92,11 @@ int Run(int argc, char* argv[])
              "Exit codes: 0 success, 1 failure, 2 wrong usage.");
   app.failure_message([](const CLI::App*, const CLI::Error& error)
     { return fmt::format("gtn: {}; see gtn --help\n", error.what()); });
-  bool manual = false;
-  app.add_flag("--man", manual, "Print the manual page")->group("");
+  // For the build, which installs what they write.
+  std::string manualFolder;
+  std::string shell;
+  app.add_option("--manual", manualFolder, "Write the manual pages into a folder")->group("");
+  app.add_option("--completion", shell, "Print the completion for a shell: bash or zsh")->group("");
   // Before anything runs, which CLI11 does when it has parsed all.
   app.parse_complete_callback(
     [&settings]
@@ -120,9 +123,13 @@ int Run(int argc, char* argv[])
   {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  if (manual)
+  if (!manualFolder.empty())
   {
-    PrintManual(app);
+    WriteManual(app, manualFolder);
+  }
+  else if (!shell.empty())
+  {
+    PrintCompletion(app, shell);
   }
   else if (app.get_subcommands().empty())
   {

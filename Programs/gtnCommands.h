@@ -9,6 +9,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <string>
+
 namespace gtn
 {
 void AddBench(CLI::App& app, Settings& settings);
@@ -22,8 +24,11 @@ void AddUnpack(CLI::App& app, Settings& settings);
 void AddVerify(CLI::App& app, Settings& settings);
 void AddVolume(CLI::App& app, Settings& settings);
 
-/** Prints the manual page, in man's language. */
-void PrintManual(const CLI::App& app);
+/** Writes the manual pages into a folder: gtn.1, gtn-pack.1 and so on. */
+void WriteManual(const CLI::App& app, const std::string& folder);
+
+/** Prints the completion of command lines for a shell, bash or zsh. */
+void PrintCompletion(const CLI::App& app, const std::string& shell);
 }
 
 #endif

@@ -4,7 +4,7 @@
 #
 # Runs setup.sh in a Debian system with nothing installed:
 #
-#   Utilities/clean_root.sh [OPTION]... bookworm|trixie [demo|test|ci]...
+#   Utilities/clean_root.sh [OPTION]... bookworm|trixie [demo|test|package|use|ci]...
 #
 # Makes a root of Debian 12 (bookworm) or 13 (trixie) with debootstrap, clones the commit checked
 # out here into /gatun of it and runs `Utilities/setup.sh demo` and `test` there, or the commands
@@ -14,6 +14,8 @@
 #   --again          use the root that is there already, with a fresh clone
 #   --keep-build     with --again: keep the build of the last run
 #   --ccache FOLDER  compile with ccache, which keeps its results in FOLDER
+#   --packages FOLDER
+#                    packages made, or to use        (<root>-packages)
 #   --mirror URL     mirror of Debian                (the host's)
 #
 # The mirror, its further suites (updates, security) and proxies are those of the host's apt.
@@ -67,6 +69,8 @@ make_root() {
   sed 's/^/deb /' <<<"$sources" >"$root/etc/apt/sources.list"
   apt-config dump | grep -E '^Acquire::((https?|ftp)::Proxy|Check-(Valid-Until|Date)) ' \
     >"$root/etc/apt/apt.conf.d/99host" || true
+  # A root that is lost in a crash is made again.
+  echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/gatun"
   touch "$root/.gatun-clean-root"
 }
 
@@ -102,17 +106,25 @@ run_inside() {
        apt-get -qq -y install --no-install-recommends ccache; }' >>"$root.log" 2>&1
   fi
 
+  mkdir -p "$packages" "$root/packages"
+  mount --bind "$packages" "$root/packages"
+
   for name in "${commands[@]}"; do
     local command=("Utilities/setup.sh" "$name")
-    if [ "$name" = ci ]; then
-      command=(.ci/run)
-    fi
+    case $name in
+      ci) command=(.ci/run) ;;
+      use) command=(Utilities/use_packages.sh /packages) ;;
+    esac
     say "Debian $(cat "$root/etc/debian_version"): ${command[*]}"
     start=$SECONDS
     chroot "$root" env -i "${settings[@]}" sh -c 'cd /gatun && exec "$@"' sh "${command[@]}" \
       </dev/null || status=$?
     say "${command[*]}: exit code $status after $((SECONDS - start)) s"
     [ "$status" -eq 0 ] || return "$status"
+    if [ "$name" = package ]; then
+      rm -f "$packages"/*.deb
+      cp "$root"/gatun/build/packages/*.deb "$packages"
+    fi
   done
 }
 
@@ -120,13 +132,14 @@ again=
 keep_build=
 ccache=
 mirror=
+packages=
 root=
 release=
 commands=()
 arguments=("$@")
 while [ $# -gt 0 ]; do
   case $1 in
-    --root | --ccache | --mirror)
+    --root | --ccache | --mirror | --packages)
       [ $# -gt 1 ] || die "$1 needs an argument"
       declare "${1#--}=$2"
       shift
@@ -138,7 +151,7 @@ while [ $# -gt 0 ]; do
       exit 0
       ;;
     bookworm | trixie) release=$1 ;;
-    demo | test | ci) commands+=("$1") ;;
+    demo | test | package | use | ci) commands+=("$1") ;;
     *)
       usage >&2
       exit 2
@@ -152,6 +165,7 @@ if [ -z "$release" ]; then
 fi
 [ ${#commands[@]} -gt 0 ] || commands=(demo test)
 root=$(realpath -m "${root:-/var/tmp/gatun-$release}")
+packages=$(realpath -m "${packages:-$root-packages}")
 case $root/ in
   "$source"/*) die "$root is in the source tree" ;;
 esac

@@ -7,6 +7,8 @@
 #   Utilities/setup.sh demo [FILE]   install what is needed, build, show what Gatun does (to FILE,
 #                                    a mesh that VTK can read, or to a mesh that the demo makes)
 #   Utilities/setup.sh test          build for VTK and for ParaView, run the tests of both
+#   Utilities/setup.sh package       make Debian packages of both builds in build/packages, and check them
+#                                    with lintian
 #   Utilities/setup.sh docs          write the pages of the headers, build/release/doxygen/html
 #   Utilities/setup.sh lint [--tidy] check layout and includes; with --tidy also run clang-tidy; the
 #                                    sources follow clang 14, that of Debian 12
@@ -45,13 +47,14 @@ packages_build=(
   libvtk9-dev libx11-dev libxxhash-dev libzstd-dev ninja-build pkg-config python3-numpy python3-vtk9)
 packages_window=(libgl1-mesa-dri xauth xvfb)
 packages_test=(
-  desktop-file-utils doxygen git libglib2.0-bin libgtest-dev mypy openimageio-tools python3-h5py python3-meshio
-  python3-xxhash python3-zstandard shared-mime-info)
+  desktop-file-utils doxygen git libglib2.0-bin libgtest-dev man-db mypy openimageio-tools python3-h5py python3-meshio
+  python3-xxhash python3-zstandard shared-mime-info zsh)
 packages_bench=(draco libmeshoptimizer-dev libzfp-dev openctm-tools python3-matplotlib)
 packages_soak=(clang libclang-rt-dev mount util-linux)
 # Pictures of the guide: a window of ParaView, used by a program, and small files.
 packages_guide=(
   at-spi2-core dbus imagemagick openbox pngquant python3-matplotlib python3-pyatspi xdotool)
+packages_package=(dpkg-dev file lintian)
 packages_docs=(doxygen)
 packages_lint=(clang-format clang-tidy git python3)
 # ParaView itself, its window's libraries, and the imports of its Python modules.
@@ -184,12 +187,13 @@ build_vtk() {
   build_tree release "$@"
 }
 
+# build_paraview <preset> <cmake argument>...
 build_paraview() {
   local config
   config=$(echo "$paraview"/lib/*/cmake/paraview-*)
   [ -f "$config/paraview-config.cmake" ] || die "no ParaView for developers in $paraview"
   # ParaView's CMake package looks for its Python modules by running Python.
-  PYTHONPATH=$paraview/lib/python3/dist-packages build_tree paraview "-DParaView_DIR=$config" "$@"
+  PYTHONPATH=$paraview/lib/python3/dist-packages build_tree "$@" "-DParaView_DIR=$config"
 }
 
 run_demo() {
@@ -209,7 +213,7 @@ run_test() {
     "${packages_paraview[@]}"
   find_paraview
   build_vtk -DGATUN_BUILD_TESTING=ON
-  build_paraview -DGATUN_BUILD_TESTING=ON
+  build_paraview paraview -DGATUN_BUILD_TESTING=ON
   if [ "$in_ci" = ON ]; then
     build_tree core-asan-ubsan
     trees+=(core-asan-ubsan)
@@ -226,6 +230,44 @@ run_test() {
   # connect in that moment.
   exec xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' \
     ctest --test-dir "$build/tests" --output-on-failure --no-label-summary --parallel "$jobs" "$@"
+}
+
+# Prints name, version, architecture, size and summary of packages.
+list_packages() {
+  local file
+  for file; do
+    printf '%s (%d KiB): %s\n' "${file#"$root"/}" "$(($(stat -c %s "$file") / 1024))" \
+      "$(dpkg-deb --showformat '${Description}\n' --show "$file" | head -n 1)"
+  done
+}
+
+run_package() {
+  local folder=$build/packages tree
+  install_packages "${packages_build[@]}" "${packages_paraview[@]}" "${packages_package[@]}"
+  find_paraview
+  # Files in packages have the time of the commit, so that the same sources give the same packages.
+  if [ -z "${SOURCE_DATE_EPOCH:-}" ] && git -C "$root" rev-parse HEAD >/dev/null 2>&1; then
+    SOURCE_DATE_EPOCH=$(git -C "$root" log -1 --format=%ct)
+    export SOURCE_DATE_EPOCH
+  fi
+  build_tree package
+  build_paraview package-paraview
+
+  rm -rf "$folder"
+  mkdir -p "$folder"
+  for tree in package package-paraview; do
+    say "Packing $build/$tree"
+    cpack --config "$build/$tree/CPackConfig.cmake" -B "$folder" >"$build/$tree.cpack.log" 2>&1 || {
+      cat "$build/$tree.cpack.log" >&2
+      die "cpack failed"
+    }
+  done
+  rm -rf "$folder/_CPack_Packages"
+  say "Checking with lintian"
+  lintian --allow-root --fail-on error,warning "$folder"/*.deb
+  say "Packages:"
+  list_packages "$folder"/*.deb
+  printf 'Install them: apt-get install %s/*.deb\n' "$folder"
 }
 
 run_docs() {
@@ -280,7 +322,7 @@ run_guide() {
 
 command=${1:-}
 case $command in
-  demo | test | docs | lint | bench | soak | guide)
+  demo | test | package | docs | lint | bench | soak | guide)
     shift
     command -v apt-get >/dev/null || die "this needs Debian or a system like it (apt-get)"
     mkdir -p "$build"

@@ -55,17 +55,28 @@ std::string TitleOf(const CLI::Option& option, bool positional)
 }
 
 //------------------------------------------------------------------------------
-std::string SummaryOf(const CLI::App& command)
+std::string FirstSentence(const std::string& text)
 {
-  std::string description = command.get_description();
-  for (std::size_t i = 0; i + 1 < description.size(); ++i)
+  for (std::size_t i = 0; i + 1 < text.size(); ++i)
   {
-    if (description[i] == '.' && (description[i + 1] == ' ' || description[i + 1] == '\n'))
+    if (text[i] == '.' && (text[i + 1] == ' ' || text[i + 1] == '\n'))
     {
-      return description.substr(0, i + 1);
+      return text.substr(0, i + 1);
     }
   }
-  return description;
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string SummaryOf(const CLI::App& command)
+{
+  return FirstSentence(command.get_description());
+}
+
+//------------------------------------------------------------------------------
+std::vector<const CLI::App*> CommandsOf(const CLI::App& app)
+{
+  return app.get_subcommands([](const CLI::App*) { return true; });
 }
 
 //------------------------------------------------------------------------------

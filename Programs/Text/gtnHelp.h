@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <vector>
 
 namespace gtn
 {
@@ -18,8 +19,14 @@ extern const char* const FilesArgument;
 /** "-q, --quiet", or the name of an argument. */
 std::string TitleOf(const CLI::Option& option, bool positional);
 
-/** The description up to the end of its first sentence. */
+/** A text up to the end of its first sentence. */
+std::string FirstSentence(const std::string& text);
+
+/** The first sentence of the description. */
 std::string SummaryOf(const CLI::App& command);
+
+/** The commands directly below a program or a command. */
+std::vector<const CLI::App*> CommandsOf(const CLI::App& app);
 
 /** Lays out what --help prints. */
 class HelpFormatter : public CLI::Formatter

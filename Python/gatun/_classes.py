@@ -4,6 +4,7 @@
 """The wrapped classes, found by name; a module is loaded once one of its classes is used."""
 
 import importlib
+import importlib.util
 
 from ._build import modules
 
@@ -13,9 +14,16 @@ def load_module(name):
     return importlib.import_module("." + name, __package__)
 
 
+def load_modules():
+    """Yields the wrapped modules that are installed: that of TetGen may be left out."""
+    for name in modules:
+        if importlib.util.find_spec("." + name, __package__):
+            yield load_module(name)
+
+
 def find_class(name):
     """Returns a wrapped class, or None if there is none of the name."""
-    for module in map(load_module, modules):
+    for module in load_modules():
         found = getattr(module, name, None)
         if found is not None:
             return found
@@ -38,7 +46,7 @@ def list_classes():
     """Returns the names of all wrapped classes."""
     return [
         name
-        for module in map(load_module, modules)
+        for module in load_modules()
         for name in vars(module)
         if name.startswith("vtk")
     ]
