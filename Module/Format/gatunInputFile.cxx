@@ -83,8 +83,7 @@ void InputFile::ReadExtents(
   {
     whole.Fail(ErrorCode::Corrupt, name, section.Offset, "is a mesh of a part of a file");
   }
-  Bytes head(
-    static_cast<std::size_t>(std::min<std::uint64_t>(ExtentMap::HeadBytes, this->Size)));
+  Bytes head(static_cast<std::size_t>(std::min<std::uint64_t>(ExtentMap::HeadBytes, this->Size)));
   this->ReadAt(0, head);
   constexpr const char* what = "the list of its parts";
   this->Extents = this->Guarded(what, {},
