@@ -105,7 +105,8 @@ endfunction ()
 #
 #   gatun_add_core_tests(<program> SOURCES <file>... [LINK <target>...])
 #
-# Each TEST() is a test of its own, with label unit. Paths come as the macros GATUN_TEST_DATA and
+# Each TEST() is a test of its own, with label unit; with sanitizers, where each start of the program
+# takes about a second, they run in eight processes. Paths come as the macros GATUN_TEST_DATA and
 # GATUN_TEST_TEMP.
 function (gatun_add_core_tests program)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK")
@@ -123,6 +124,17 @@ function (gatun_add_core_tests program)
     PRIVATE
       "GATUN_TEST_DATA=\"${GATUN_TEST_DATA}\""
       "GATUN_TEST_TEMP=\"${GATUN_TEST_TEMP}\"")
+  if (GATUN_SANITIZE)
+    foreach (shard RANGE 7)
+      gatun_add_test(
+        NAME        "${prefix}${program}-${shard}"
+        COMMAND     "${program}" --gtest_brief=1
+        LABELS      unit
+        TIMEOUT     1500
+        ENVIRONMENT GTEST_TOTAL_SHARDS=8 "GTEST_SHARD_INDEX=${shard}")
+    endforeach ()
+    return ()
+  endif ()
   gtest_discover_tests("${program}"
     TEST_PREFIX       "${prefix}"
     WORKING_DIRECTORY "${GATUN_TEST_TEMP}"
