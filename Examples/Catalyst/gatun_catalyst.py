@@ -19,7 +19,7 @@ options.GlobalTrigger = "TimeStep"
 if "GATUN_PLUGIN" in os.environ:
     LoadPlugin(os.environ["GATUN_PLUGIN"], remote=False, ns=vars(simple))
 
-# The channel of the simulation. Blocks would be merged by simple.MergeBlocksforGatun(Input=mesh).
+# The channel of the simulation. Blocks would be merged by simple.GatunMergeBlocks(Input=mesh).
 mesh = TrivialProducer(registrationName="mesh")
 
 files = CreateExtractor("GTN", mesh, registrationName="files")

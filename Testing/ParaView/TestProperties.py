@@ -40,6 +40,7 @@ OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
 OWN_DEFAULT = {"GatunReaderCore.OnDemand": [0], "GatunSurfaceReaderCore.OnDemand": [0],
                "GatunReaderCore.PrefetchTimeSteps": [0],
                "GatunSurfaceReaderCore.PrefetchTimeSteps": [0],
+               "GatunWriter.LayerArray": ["none"],
                "GatunContour.ComputeNormals": [0],
                "GatunContour.ArrayComponent": [-1]}
 # Commands of ParaView's own classes, which have no Get.

@@ -86,7 +86,7 @@ os.remove(again)
 empty_folder()
 
 # Blocks become one mesh with the numbers and names that they have on one rank.
-reader = save_and_open("blocks.gtn", simple.MergeBlocksforGatun(Input=make_blocks()))
+reader = save_and_open("blocks.gtn", simple.GatunMergeBlocks(Input=make_blocks()))
 found = describe(reader)
 sizes = [expected("mixed", 0, block) for block in range(3)]
 assert len(found) == len(sizes[0]) + len(sizes[1]) + len(sizes[2]), len(found)

@@ -33,7 +33,7 @@ def gatun_scatter(grid):
 gatun_scatter(output.VTKObject)
 """
 assert sample.counts(mesh)[1] == sample.TETS
-simplified = simple.SimplifyTetrahedra(Input=mesh, SimplificationRatio=0.8)
+simplified = simple.GatunSimplify(Input=mesh, SimplificationRatio=0.8)
 
 # The corners of all tetrahedra, on the first rank.
 gathered = simple.ProgrammableFilter(Input=simplified, OutputDataSetType="vtkPolyData")
@@ -70,7 +70,7 @@ if rank == 0:
     assert np.isin(outside, (0, sample.SIDE)).any(axis=1).all(), "a crack between ranks"
 
 sphere = simple.Sphere(ThetaResolution=64, PhiResolution=64)
-surface = simple.SimplifyTetrahedra(Input=sphere, SimplificationRatio=0.8)
+surface = simple.GatunSimplify(Input=sphere, SimplificationRatio=0.8)
 surface.UpdatePipeline()
 before, after = sphere.GetDataInformation(), surface.GetDataInformation()
 assert after.GetDataSetTypeAsString() == "vtkPolyData"

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <system_error>
@@ -35,6 +36,12 @@ vtkGatunPVWriter::vtkGatunPVWriter()
 }
 
 vtkGatunPVWriter::~vtkGatunPVWriter() = default;
+
+//------------------------------------------------------------------------------
+void vtkGatunPVWriter::SetLayerArray(const char* name)
+{
+  this->Superclass::SetLayerArray(name && std::strcmp(name, "(none)") == 0 ? nullptr : name);
+}
 
 //------------------------------------------------------------------------------
 int vtkGatunPVWriter::Write()

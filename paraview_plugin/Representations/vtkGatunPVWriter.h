@@ -8,7 +8,7 @@
  * processes, each one writes what it has into the one file. A hierarchy and layers, which need the
  * whole mesh, are then added by the first process, which has to have the memory for it; a file
  * without them is there meanwhile, whose name ends with ".parts". And it can write the time steps
- * as a series of files, for meshes that change with time.
+ * as a series of files.
  *
  * @sa vtkGatunWriter vtkGatunPVMergeBlocks
  */
@@ -54,6 +54,9 @@ public:
   vtkSetClampMacro(TimeStepStride, int, 1, VTK_INT_MAX);
   vtkGetMacro(TimeStepStride, int);
   ///@}
+
+  /** The same as the method of the superclass, but "(none)", the choice in the panel, is no array. */
+  void SetLayerArray(const char* name) override;
 
   /**
    * Writes the file, or the series. A series ends at the first file that fails; those before it
