@@ -49,7 +49,7 @@ os.makedirs(folder)
 names = sorted(name[:-3] for name in os.listdir(EXAMPLES) if name.endswith(".py"))
 names = [name for name in names if name not in SHARED]
 assert len(names) == 10, names
-with open(os.path.join(ROOT, "Documentation", "gallery.md"), encoding="ascii") as file:
+with open(os.path.join(ROOT, "Documentation", "python-gallery.md"), encoding="ascii") as file:
     page = file.read()
 made = set()
 for name in names:
