@@ -124,7 +124,6 @@ public:
   int Port = 0;
   vtkSmartPointer<vtkDataObject> Data;
 
-  gatun::RayScene Scene;
   double Unit = 1; // of the functions that were made last
 
   /** What there is to look at; one of them is not null. */
@@ -243,23 +242,21 @@ gatun::ValueSurvey vtkGatunDefaults::vtkInternals::Survey(
   const gatun::RayArray array{ self.ArrayName ? self.ArrayName : "", self.ArrayAssociation,
     self.ArrayComponent, {} };
   auto* const grid = vtkUnstructuredGrid::SafeDownCast(object.Data);
+  gatun::RayScene scene;
   if (object.File && !object.File->File->GetFile()->IsSurface())
   {
-    this->Scene.SetFile(*object.File, object.Step, array);
+    scene.SetFile(*object.File, object.Step, array);
   }
   else if (grid)
   {
     // Blocks are looked at once.
-    this->Scene.SetGrid(grid, array, 0);
+    scene.SetGrid(grid, array, 0);
   }
   else
   {
     gatun::ThrowInvalid("there is neither a grid nor a volume whose values could be looked at");
   }
-  const auto source = this->Scene.GetSource();
-  const gatun::ValueSurvey survey = gatun::SurveyValues(*source, range);
-  this->Scene.Clear();
-  return survey;
+  return gatun::SurveyValues(*scene.GetSource(), range);
 }
 
 //------------------------------------------------------------------------------
@@ -324,7 +321,12 @@ bool vtkGatunDefaults::MakeProperty(vtkVolumeProperty* property)
   vtkNew<vtkColorTransferFunction> colors;
   vtkNew<vtkPiecewiseFunction> opacities;
   const double unit = this->UnitDistance;
-  if (!property || !this->MakeFunctions(colors, opacities))
+  if (!property)
+  {
+    vtkErrorMacro("There is no default transfer function: there is no property");
+    return false;
+  }
+  if (!this->MakeFunctions(colors, opacities))
   {
     return false;
   }
@@ -376,12 +378,30 @@ bool vtkGatunDefaults::MakeFunctions(
 //------------------------------------------------------------------------------
 void vtkGatunDefaults::MakeColors(double least, double most, vtkColorTransferFunction* colors)
 {
+  if (!colors)
+  {
+    return;
+  }
   colors->RemoveAllPoints();
   colors->SetColorSpaceToLab();
   for (const gatun::DefaultColor& color : gatun::GetDefaultColors())
   {
     colors->AddRGBPoint(
       least * (1 - color.Value) + most * color.Value, color.RGB[0], color.RGB[1], color.RGB[2]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunDefaults::MakeRamp(double least, double most, vtkPiecewiseFunction* opacities)
+{
+  if (!opacities)
+  {
+    return;
+  }
+  opacities->RemoveAllPoints();
+  for (const gatun::OpacityNode& node : gatun::GetDefaultRamp())
+  {
+    opacities->AddPoint(least * (1 - node.Value) + most * node.Value, node.Opacity);
   }
 }
 

@@ -17,11 +17,13 @@
  * of it that are evenly distributed. Colors span the values without the outermost 0.05 % of the
  * volume at each end, so that outliers do not matter. NaN and infinite values are left out. A
  * constant is drawn as an even haze. The result does not depend on the number of threads, nor on
- * chunks or on whether the mesh is in a file, if it is used as a whole.
+ * chunks or on whether the mesh is in a file, if it is used as a whole. Of a series, the values of
+ * one time step are used: for images with one scale, set Range, or use the functions of one step.
  *
  * *Camera.* The camera keeps its direction, and is moved so that the projection of all cells
- * fills 94 % of the width or height of the image and is in its middle. Of a file, the points of the
- * outermost chunks are decoded.
+ * fills 94 % of the width or height of the image and is in its middle. Of a file, the chunks that
+ * reach farthest are decoded, until there are 2^20 points; the boxes of others stand for them, so
+ * that the object may fill less of the image, but nothing is cut off.
  *
  * *Cost.* A histogram decodes the chunks that it uses once, or up to four times if a few values are
  * far from all others.
@@ -137,6 +139,13 @@ public:
    * lightness. Replaces the nodes of the function.
    */
   static void MakeColors(double least, double most, vtkColorTransferFunction* colors);
+
+  /**
+   * Opacities for a range of values, from 0.01 to 0.45, that grow with them: for images that show
+   * the largest value of each ray, to which lengths do not matter. Replaces the nodes of the
+   * function.
+   */
+  static void MakeRamp(double least, double most, vtkPiecewiseFunction* opacities);
 
   /**
    * Moves the camera along its direction of projection so that all of the object fills the image.

@@ -200,6 +200,13 @@ std::span<const DefaultColor> GetDefaultColors()
 }
 
 //------------------------------------------------------------------------------
+std::span<const OpacityNode> GetDefaultRamp()
+{
+  static constexpr std::array<OpacityNode, 3> ramp{ { { 0, 0.01 }, { 0.3, 0.06 }, { 1, 0.45 } } };
+  return ramp;
+}
+
+//------------------------------------------------------------------------------
 DefaultTransfer MakeDefaultTransfer(
   const ValueSurvey& survey, double unitDistance, const std::optional<Range>& range)
 {

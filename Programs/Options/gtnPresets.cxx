@@ -24,14 +24,19 @@ struct Preset
   Transfer Functions;
 };
 
-std::vector<ColorNode> GetDusk()
+/** The default colors, as a ramp. */
+Transfer GetDusk()
 {
-  std::vector<ColorNode> nodes;
+  Transfer dusk{ {}, {}, ColorSpace::Lab };
   for (const gatun::DefaultColor& color : gatun::GetDefaultColors())
   {
-    nodes.push_back({ color.Value, color.RGB[0], color.RGB[1], color.RGB[2] });
+    dusk.Colors.push_back({ color.Value, color.RGB[0], color.RGB[1], color.RGB[2] });
   }
-  return nodes;
+  for (const gatun::OpacityNode& node : gatun::GetDefaultRamp())
+  {
+    dusk.Opacities.push_back({ node.Value, node.Opacity });
+  }
+  return dusk;
 }
 
 const std::vector<Preset>& GetPresets()
@@ -42,8 +47,7 @@ const std::vector<Preset>& GetPresets()
       { { { 0, 0.20, 0.28, 0.78 }, { 0.5, 0.88, 0.87, 0.86 }, { 1, 0.74, 0.04, 0.14 } },
         { { 0, 0.05 }, { 0.25, 0.03 }, { 0.5, 0.02 }, { 0.75, 0.15 }, { 1, 0.5 } },
         ColorSpace::Lab } },
-    // The default colors.
-    { "dusk", { GetDusk(), { { 0, 0.01 }, { 0.3, 0.06 }, { 1, 0.45 } }, ColorSpace::Lab } },
+    { "dusk", GetDusk() },
     // What is high glows.
     { "heat",
       { { { 0, 0.10, 0.00, 0.02 }, { 0.35, 0.70, 0.06, 0.02 }, { 0.7, 1.00, 0.55, 0.05 },

@@ -1,13 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Cameras that see a whole box."""
+"""Cameras that see a whole object."""
 
 import math
 
 from vtkmodules.vtkRenderingCore import vtkCamera
-
-_VIEW_ANGLE = 30.0
 
 
 def _turn(azimuth, elevation):
@@ -37,9 +35,9 @@ def _look_along(direction, up):
 
 
 def make_camera(
-    bounds, aspect, *, azimuth, elevation, roll, zoom, direction, up, parallel
+    scene, defaults, aspect, *, azimuth, elevation, roll, zoom, direction, up, parallel
 ):
-    """Returns a camera that sees a box, as vtkRenderer.ResetCamera places it."""
+    """Returns a camera from which a scene just fits into the image, if the zoom is 1."""
     if direction is None:
         if up is not None:
             raise ValueError("up: needs a direction")
@@ -48,18 +46,13 @@ def make_camera(
         eye, up = _look_along(tuple(map(float, direction)), up)
     if not 0 < zoom < math.inf:
         raise ValueError(f"zoom: {zoom} is not above 0")
-    center = [low / 2 + high / 2 for low, high in zip(bounds[::2], bounds[1::2])]
-    radius = math.hypot(*(high / 2 - low / 2 for low, high in zip(bounds[::2], bounds[1::2])))
-    radius = radius or 0.5  # a lone point
-    half = math.tan(math.radians(_VIEW_ANGLE / 2)) * min(aspect, 1)
-    distance = radius / math.sin(math.atan(half))
     camera = vtkCamera()
-    camera.SetViewAngle(_VIEW_ANGLE)
-    camera.SetFocalPoint(center)
-    camera.SetPosition([c + distance * x for c, x in zip(center, eye)])
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetPosition(eye)
     camera.SetViewUp(up)
     camera.SetParallelProjection(bool(parallel))
-    camera.SetParallelScale(radius / min(aspect, 1))
     camera.Roll(roll)
+    with scene.raising(defaults):
+        defaults.FitCamera(camera, aspect)
     camera.Zoom(zoom)
     return camera

@@ -10,6 +10,8 @@ import re
 import sys
 import warnings
 
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+
 from ._classes import get_class
 
 
@@ -55,7 +57,7 @@ def _observe(observed, event, messages):
 
 def _make_error(algorithm, messages, remarks):
     """The exception for the messages of an algorithm, or else for those of its executive."""
-    code = algorithm.GetErrorCode()
+    code = algorithm.GetErrorCode() if isinstance(algorithm, vtkAlgorithm) else 0
     codes = get_class("vtkGatunErrorCode")
     # The executive adds that the request has failed.
     messages = messages or remarks
@@ -77,15 +79,17 @@ def _count_own_frames():
 
 @contextlib.contextmanager
 def raising(*algorithms):
-    """Turns the errors of algorithms in a block into an exception, and warnings into warnings.
+    """Turns the errors of algorithms and other objects in a block into an exception, and warnings
+    into warnings.
 
-    The first algorithm that failed counts; nothing is printed.
+    The first one that failed counts; nothing is printed.
     """
     reports = [(algorithm, [], [], []) for algorithm in algorithms]
     observers = []
     for algorithm, errors, remarks, cautions in reports:
         observers.append(_observe(algorithm, "ErrorEvent", errors))
-        observers.append(_observe(algorithm.GetExecutive(), "ErrorEvent", remarks))
+        if isinstance(algorithm, vtkAlgorithm):
+            observers.append(_observe(algorithm.GetExecutive(), "ErrorEvent", remarks))
         observers.append(_observe(algorithm, "WarningEvent", cautions))
     try:
         yield

@@ -17,10 +17,10 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from ._camera import make_camera
 from ._classes import get_class
-from ._errors import Error, raising, set_property
+from ._errors import Error, set_property
 from ._images import to_bytes
 from ._scene import Scene
-from ._transfer import check_range, make_property, parse_color
+from ._transfer import make_property, parse_color
 
 if TYPE_CHECKING:
     from numpy.typing import DTypeLike
@@ -145,7 +145,7 @@ def _draw_surface(scene, size, camera, transfer, ratio):
     window.SetMultiSamples(_SAMPLES)
     window.SetSize(size)
     window.AddRenderer(renderer)
-    with raising(*filter(None, (scene.algorithm,)), mapper):
+    with scene.raising(mapper):
         window.Render()
     colors = vtkFloatArray()
     window.GetRGBAPixelData(0, 0, size[0] - 1, size[1] - 1, 0, colors)
@@ -215,11 +215,13 @@ def render(
         step, time: as for ``read``.
         colors: a color map: the name of one of Matplotlib or a function like it, a list of colors, or
             a vtkColorTransferFunction. It is spread over ``range``. Default: one from dark to light.
-        opacity: a factor for the default opacities, which grow with the values; opacities from 0 to
-            1, spread over ``range``; pairs of values and opacities; a function of the value; or a
-            vtkPiecewiseFunction. Surfaces are opaque.
+        opacity: a factor for the default opacities; opacities from 0 to 1, spread over ``range``;
+            pairs of values and opacities; a function of the value; or a vtkPiecewiseFunction. By
+            default, values that fill most of the volume are nearly transparent, and rare ones are
+            opaque (vtkGatunDefaults); with ``"mip"``, opacities grow with the values. Surfaces are
+            opaque.
         range: smallest and largest value of the color map. Default: those of the array, over all time
-            steps of a file.
+            steps of a file; with default opacities and no time steps, a few outliers are left out.
         unit_distance: the length that opacities refer to, in units of the coordinates. Default: 1/100
             of the diagonal of the bounds.
         shade: whether meshes are shaded by a light at the camera.
@@ -230,7 +232,7 @@ def render(
             none, so that the image is transparent.
         azimuth, elevation: angles of the camera in degrees, from the z axis about the y axis, and up.
         roll: of the camera, in degrees.
-        zoom: magnification; 1 shows everything.
+        zoom: magnification; with 1, everything just fits into the image.
         direction, up: a direction to look along in place of the angles, and one that points up.
         parallel: whether the projection is parallel. That of volumes always is.
         camera: a vtkCamera in place of all of this.
@@ -252,9 +254,11 @@ def render(
     color = None if background is None else parse_color(background)
     scene = Scene(source, step, time, array, component)
     is_volume = scene.kind is vtkImageData
+    defaults = scene.make_defaults()
     if camera is None:
         camera = make_camera(
-            scene.bounds,
+            scene,
+            defaults,
             size[0] / size[1],
             azimuth=azimuth,
             elevation=elevation,
@@ -264,12 +268,12 @@ def render(
             up=up,
             parallel=parallel or is_volume,
         )
-    if range is None:
-        values = check_range(scene.values, f"{scene.name}, array {scene.array!r}")
-    else:
-        values = check_range(range, "range")
     distance = scene.get_diagonal() / 100 if unit_distance is None else unit_distance
-    transfer = make_property(colors, opacity, values, distance)
+    # Neither surfaces nor these modes have opacities of lengths.
+    is_flat = scene.kind is vtkPolyData or blend == "mip" or (is_volume and blend == "xray")
+    transfer = make_property(
+        scene, None if is_flat else defaults, colors, opacity, range, distance
+    )
     transfer.SetShade(bool(shade))
     if is_volume:
         if ratio:

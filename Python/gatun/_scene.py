@@ -10,6 +10,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
+from ._classes import get_class
 from ._errors import raising
 from ._reading import choose_time, is_volume, open_reader
 from ._writing import Input
@@ -88,11 +89,26 @@ class Scene:
 
     def update(self, algorithm):
         """Updates an algorithm behind this."""
-        with raising(*filter(None, (self.algorithm,)), algorithm):
+        with self.raising(algorithm):
             if self.time is None:
                 algorithm.Update()
             else:
                 algorithm.UpdateTimeStep(self.time)
+
+    def make_defaults(self):
+        """Returns what makes cameras and transfer functions for this."""
+        defaults = get_class("vtkGatunDefaults")()
+        self.connect(defaults)
+        defaults.SetArrayName(self.array)
+        defaults.SetArrayAssociation(-1 if self.association is None else self.association)
+        defaults.SetArrayComponent(self.component)
+        defaults.SetUseTime(self.time is not None)
+        defaults.SetTime(self.time or 0.0)
+        return defaults
+
+    def raising(self, *consumers):
+        """Turns errors of this and of what uses it into exceptions."""
+        return raising(*filter(None, (self.algorithm,)), *consumers)
 
     def get_diagonal(self):
         """Returns the diagonal of the bounds, or 1 if that is 0."""

@@ -6,6 +6,7 @@
 import gatun
 import numpy as np
 from gatun._camera import make_camera
+from gatun._scene import Scene
 from gatunCube import find, make_cube, require_equal, require_raises
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
@@ -36,28 +37,45 @@ def draw(source=mesh, **options):
     return gatun.render(source, **options)
 
 
-# Cameras stand where VTK's own reset, azimuth and elevation put them.
-VIEW = {"roll": 0, "zoom": 1, "direction": None, "up": None, "parallel": False}
-for azimuth, elevation, roll, zoom in ((0, 0, 0, 1), (30, 20, 0, 1), (-100, -40, 30, 2)):
+def look(aspect, **view):
+    scene = Scene(mesh, None, None, "value", None)
+    view = {"roll": 0, "zoom": 1, "direction": None, "up": None, "parallel": False, **view}
+    return make_camera(scene, scene.make_defaults(), aspect, **view)
+
+
+def project(camera, aspect):
+    """Where the points are in the image, which reaches from -1 to 1 both ways."""
+    matrix = camera.GetCompositeProjectionTransformMatrix(aspect, -1, 1)
+    matrix = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+    seen = np.column_stack([points, np.ones(len(points))]) @ matrix.T
+    return seen[:, :2] / seen[:, 3:]
+
+
+# Cameras look from where VTK's azimuth and elevation put them, and the mesh fills the image.
+for azimuth, elevation, roll in ((0, 0, 0), (30, 20, 0), (-100, -40, 30)):
     renderer = vtkRenderer()
     camera = renderer.GetActiveCamera()
-    renderer.ResetCamera(mesh.GetBounds())
     camera.Azimuth(azimuth)
     camera.Elevation(elevation)
     camera.OrthogonalizeViewUp()
     camera.Roll(roll)
-    camera.Zoom(zoom)
-    view = {**VIEW, "azimuth": azimuth, "elevation": elevation, "roll": roll, "zoom": zoom}
-    made = make_camera(mesh.GetBounds(), 1.5, **view)
-    for name in ("Position", "FocalPoint", "ViewUp", "ViewAngle", "ParallelScale"):
-        given, wanted = (np.array(getattr(c, "Get" + name)()) for c in (made, camera))
-        assert np.allclose(given, wanted, atol=1e-12), (name, given, wanted)
-above = make_camera(mesh.GetBounds(), 1, **{**VIEW, "azimuth": 0, "elevation": 90})
+    for parallel in (False, True):
+        view = {"azimuth": azimuth, "elevation": elevation, "roll": roll, "parallel": parallel}
+        made = look(1.5, **view)
+        for name in ("DirectionOfProjection", "ViewUp", "ViewAngle"):
+            given, wanted = (np.array(getattr(c, "Get" + name)()) for c in (made, camera))
+            assert np.allclose(given, wanted, atol=1e-12), (name, given, wanted)
+        seen = project(made, 1.5)
+        assert np.isclose(np.abs(seen).max(), 0.94, atol=1e-3), np.abs(seen).max()
+        assert np.allclose(seen.min(axis=0), -seen.max(axis=0), atol=1e-3)
+        half = 0.5 if parallel else np.tan(np.radians(15)) / np.tan(np.radians(30))
+        assert np.allclose(project(look(1.5, zoom=0.5, **view), 1.5), half * seen)
+above = look(1, azimuth=0, elevation=90)
 assert np.allclose(above.GetDirectionOfProjection(), (0, -1, 0))
 assert np.allclose(above.GetViewUp(), (0, 0, -1))
 
 # The image is that of the ray caster.
-camera = make_camera(mesh.GetBounds(), 1.5, **{**VIEW, "azimuth": 30, "elevation": 20})
+camera = look(1.5, azimuth=30, elevation=20)
 colors = vtkColorTransferFunction()
 colors.AddRGBPoint(0.5, 1, 0, 0)
 colors.AddRGBPoint(1.5, 0, 0.5, 1)
@@ -112,10 +130,28 @@ front = draw(direction=(0, 0, -1))
 require_equal(front, draw(azimuth=0, elevation=0))
 require_equal(draw(direction=(0, 3, 0)), draw(direction=(0, 1, 0), up=(0, 0, 1)))
 
+# By default, what vtkGatunDefaults makes; from a file as from memory.
+defaults = gatun.vtkGatunDefaults()
+defaults.SetInputData(mesh)
+defaults.SetArrayName("value")
+defaults.SetUnitDistance(0.02)
+colors, opacity = vtkColorTransferFunction(), vtkPiecewiseFunction()
+assert defaults.MakeFunctions(colors, opacity)
+wanted = draw(colors=colors, opacity=opacity, unit_distance=0.02)
+for source in (mesh, path):
+    assert np.abs(draw(source, unit_distance=0.02).astype(int) - wanted).max() <= 1
+# With other colors, the opacities stay; with other values, they do not.
+other = draw(colors=[(1, 0, 0), (0, 0, 1)], unit_distance=0.02)
+assert np.abs(other[..., 3].astype(int) - wanted[..., 3]).max() <= 1
+assert np.abs(draw(range=(0.8, 1), unit_distance=0.02).astype(int) - wanted).max() > 20
+# The largest value of a ray is the more opaque the larger it is.
+largest = draw(blend="mip", azimuth=0, elevation=0)[SIZE[1] // 2, covered[1:-1], 3].astype(int)
+assert (np.diff(largest) >= 0).all() and largest[0] < 10 and largest[-1] > 100, largest
+
 # Components, the length of tuples, cell arrays, modes, and a mesh that is simplified.
 x = draw(array="vector", component=0, colors=[(0, 0, 0), (1, 1, 1)], opacity=[1, 1])
 length = draw(array="vector", colors=[(0, 0, 0), (1, 1, 1)], opacity=[1, 1])
-assert x[30, 25, 0] < 60 < 150 < length[30, 25, 0] and x[30, 64, 0] > 240 < length[30, 64, 0]
+assert x[30, 12, 0] < 60 < 150 < length[30, 12, 0] and x[30, 80, 0] > 240 < length[30, 80, 0]
 assert draw(array="half")[..., 3].max() > 0
 for choice in ({"array": "half"}, {"array": "vector"}, {"array": "vector", "component": 0}, {}):
     assert np.abs(draw(path, **choice)[..., 3].astype(int) - draw(**choice)[..., 3]).max() <= 1

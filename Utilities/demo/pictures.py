@@ -27,8 +27,9 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-INK = (0.13, 0.16, 0.20)
-SIZE = (1400, 1000)
+import sheet
+
+SIZE = (2 * sheet.WIDTH, 2 * sheet.HEIGHT)
 
 # Dark blue over green and yellow to pale: even steps for the eye, and for color-blind ones.
 COLORS = (
@@ -164,7 +165,7 @@ def scalar_bar(mapper, title):
     bar.SetBarRatio(0.14)
     bar.SetUnconstrainedFontSize(True)
     for text, size in ((bar.GetTitleTextProperty(), 22), (bar.GetLabelTextProperty(), 21)):
-        text.SetColor(*INK)
+        text.SetColor(*sheet.INK)
         text.SetFontSize(size)
         text.ItalicOff()
         text.BoldOff()
@@ -174,19 +175,19 @@ def scalar_bar(mapper, title):
 
 
 def fit(renderer, horizontal, vertical):
-    """Moves and zooms the camera so that all is in a part of the window, which reaches from -1 to
-    1 both ways."""
+    """Moves and zooms the camera so that all points are in a part of the window, which reaches from
+    -1 to 1 both ways."""
     camera = renderer.GetActiveCamera()
-    box = np.array(renderer.ComputeVisiblePropBounds()).reshape(3, 2)
-    corners = np.array([[box[0, i], box[1, j], box[2, k]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
+    points = np.concatenate([vtk_to_numpy(actor.GetMapper().GetInput().GetPoints().GetData())
+                             for actor in renderer.GetActors()])
+    points = np.column_stack([points, np.ones(len(points))])
     for _ in range(3):
         camera.SetWindowCenter(0, 0)
-        seen = []
-        for corner in corners:
-            renderer.SetWorldPoint(*corner, 1)
-            renderer.WorldToView()
-            seen.append(renderer.GetViewPoint()[:2])
-        low, high = np.min(seen, axis=0), np.max(seen, axis=0)
+        matrix = camera.GetCompositeProjectionTransformMatrix(SIZE[0] / SIZE[1], -1, 1)
+        matrix = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+        seen = points @ matrix.T
+        seen = seen[:, :2] / seen[:, 3:]
+        low, high = seen.min(axis=0), seen.max(axis=0)
         room = np.array([horizontal[1] - horizontal[0], vertical[1] - vertical[0]])
         camera.Zoom(min(room / (high - low)))
     camera.SetWindowCenter(*(0.5 * (low + high) - 0.5 * np.array([sum(horizontal), sum(vertical)])))
@@ -195,8 +196,8 @@ def fit(renderer, horizontal, vertical):
 def draw(actors, name, bar=None, direction=(0.62, -0.95, 0.72)):
     """Renders to a PNG file, seen from a direction."""
     renderer = vtkRenderer()
-    renderer.SetBackground(0.86, 0.88, 0.91)
-    renderer.SetBackground2(0.99, 0.99, 1.0)
+    renderer.SetBackground(*sheet.FLOOR)
+    renderer.SetBackground2(*sheet.SKY)
     renderer.GradientBackgroundOn()
     renderer.AutomaticLightCreationOff()
     for place, strength in (((-0.6, 0.9, 1.2), 0.88), ((1.2, 0.3, 0.5), 0.46), ((0, -1, 0.3), 0.18)):

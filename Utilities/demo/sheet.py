@@ -12,40 +12,63 @@ from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkTextProperty, vtkTextRenderer
 
 WIDTH, HEIGHT = 700, 500  # of a panel
-CAPTION = 78
+TITLE, CAPTION = 70, 78  # heights
 GAP = 14
+FILL = 0.94  # the part of a panel that is not margin
 COLUMNS = 3
 
 PAPER = np.array([1.0, 1.0, 1.0])
+FLOOR, SKY = np.array([0.86, 0.88, 0.91]), np.array([0.99, 0.99, 1.0])  # behind what is shown
 INK = (0.13, 0.16, 0.20)
 BAR, OURS = np.array([0.72, 0.76, 0.82]), np.array([0.14, 0.51, 0.545])
 
 
 def _to_array(image):
-    """Rows from the top, colors from 0 to 1, without opacity."""
+    """Rows from the top, colors from 0 to 1."""
     width, height, _ = image.GetDimensions()
-    pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1) / 255
-    if pixels.shape[2] == 4:
-        alpha = pixels[:, :, 3:]
-        pixels = pixels[:, :, :3] * alpha + PAPER * (1 - alpha)
-    return pixels[::-1, :, :3]
+    pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)
+    return pixels[::-1] / 255
+
+
+def _resize(pixels, width, height):
+    image = vtkImageData()
+    image.SetDimensions(pixels.shape[1], pixels.shape[0], 1)
+    values = np.ascontiguousarray(pixels[::-1]).reshape(-1, pixels.shape[2])
+    image.GetPointData().SetScalars(numpy_to_vtk(values, deep=True))
+    resize = vtkImageResize()
+    resize.SetInputData(image)
+    resize.SetOutputDimensions(width, height, 1)
+    resize.Update()
+    made = vtk_to_numpy(resize.GetOutput().GetPointData().GetScalars())
+    return np.clip(made.reshape(height, width, -1)[::-1], 0, 1)
+
+
+def _make_background():
+    along = np.linspace(0, 1, HEIGHT)[:, None, None]
+    return np.tile(SKY * (1 - along) + FLOOR * along, (1, WIDTH, 1))
 
 
 def read_picture(name):
-    """A picture in the size of a panel, whatever its own is."""
+    """A picture as a panel. One that is transparent is put before the background of the others,
+    without its empty margins."""
     reader = vtkPNGReader()
     reader.SetFileName(name)
-    resize = vtkImageResize()
-    resize.SetInputConnection(reader.GetOutputPort())
     reader.Update()
-    width, height, _ = reader.GetOutput().GetDimensions()
-    factor = min(WIDTH / width, HEIGHT / height)
-    size = max(1, round(width * factor)), max(1, round(height * factor))
-    resize.SetOutputDimensions(*size, 1)
-    resize.Update()
-    panel = np.tile(PAPER, (HEIGHT, WIDTH, 1))
-    top, left = (HEIGHT - size[1]) // 2, (WIDTH - size[0]) // 2
-    panel[top : top + size[1], left : left + size[0]] = _to_array(resize.GetOutput())
+    pixels = _to_array(reader.GetOutput())
+    if pixels.shape[2] < 4:
+        return _resize(pixels[:, :, :3], WIDTH, HEIGHT)
+    panel = _make_background()
+    rows, columns = np.nonzero(pixels[:, :, 3] > 0.03)
+    if not len(rows):
+        return panel
+    pixels = pixels[rows.min() : rows.max() + 1, columns.min() : columns.max() + 1]
+    pixels = np.dstack([pixels[:, :, :3] * pixels[:, :, 3:], pixels[:, :, 3]])
+    factor = FILL * min(WIDTH / pixels.shape[1], HEIGHT / pixels.shape[0])
+    width, height = (max(1, round(factor * n)) for n in (pixels.shape[1], pixels.shape[0]))
+    pixels = _resize(pixels, width, height)
+    top, left = (HEIGHT - height) // 2, (WIDTH - width) // 2
+    place = panel[top : top + height, left : left + width]
+    place[:] = pixels[:, :, :3] + place * (1 - pixels[:, :, 3:])
     return panel
 
 
@@ -57,8 +80,9 @@ def write_text(pixels, words, left, top, size, bold=False, room=None):
     look.SetColor(*INK)
     look.SetVerticalJustificationToTop()
     image = vtkImageData()
-    extent = [0, 0]
-    vtkTextRenderer.GetInstance().RenderString(look, words, image, extent, 72)
+    renderer = vtkTextRenderer.GetInstance()
+    renderer.SetScaleToPowerOfTwo(False)
+    renderer.RenderString(look, words, image, [0, 0], 72)
     width, height, _ = image.GetDimensions()
     if room and width > room:
         write_text(pixels, words, left, top, int(size * room / width), bold)
@@ -73,7 +97,7 @@ def write_text(pixels, words, left, top, size, bold=False, room=None):
 
 def draw_bars(sizes, unit, ours):
     """A panel with a bar for each size; those whose names begin with ours stand out."""
-    panel = np.tile(PAPER, (HEIGHT, WIDTH, 1))
+    panel = _make_background()
     step = (HEIGHT - 40) // len(sizes)
     left = 210
     for i, (name, size) in enumerate(sizes.items()):
@@ -90,12 +114,11 @@ def draw_bars(sizes, unit, ours):
 def write_sheet(title, panels, name):
     """Panels: tuples of a picture, a heading and a line of figures."""
     rows = -(-len(panels) // COLUMNS)
-    top = 70
     width = COLUMNS * (WIDTH + GAP) + GAP
-    sheet = np.tile(PAPER, (top + rows * (HEIGHT + CAPTION + GAP), width, 1))
+    sheet = np.tile(PAPER, (TITLE + rows * (HEIGHT + CAPTION + GAP), width, 1))
     write_text(sheet, title, 24, 22, 30, True)
     for i, (picture, heading, figures) in enumerate(panels):
-        row = top + (i // COLUMNS) * (HEIGHT + CAPTION + GAP)
+        row = TITLE + (i // COLUMNS) * (HEIGHT + CAPTION + GAP)
         column = GAP + (i % COLUMNS) * (WIDTH + GAP)
         sheet[row : row + HEIGHT, column : column + WIDTH] = picture
         room = WIDTH - 28
