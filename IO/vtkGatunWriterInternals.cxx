@@ -150,7 +150,7 @@ gatun::MergeTree vtkGatunWriter::vtkInternals::BuildTree(vtkUnstructuredGrid* gr
 
 //------------------------------------------------------------------------------
 bool vtkGatunWriter::vtkInternals::WrittenMesh::HasCells(
-  const gatun::BridgedMesh& other, std::size_t hash) const
+  const gatun::BridgedMesh& other, const gatun::Fingerprint& hash) const
 {
   const gatun::MeshInput& mine = this->Mesh->Mesh;
   const gatun::MeshInput& others = other.Mesh;
@@ -171,11 +171,14 @@ bool vtkGatunWriter::vtkInternals::WrittenMesh::SharesMemory(const gatun::Bridge
 
 //------------------------------------------------------------------------------
 vtkGatunWriter::vtkInternals::WrittenMesh vtkGatunWriter::vtkInternals::MakeMesh(
-  std::unique_ptr<gatun::BridgedMesh> mesh, std::size_t cellHash) const
+  std::unique_ptr<gatun::BridgedMesh> mesh, const gatun::Fingerprint& cellHash) const
 {
   WrittenMesh written;
   written.CellHash = cellHash;
-  written.PointHash = this->GetNumberOfSteps() > 1 ? mesh->HashPoints() : 0;
+  if (this->GetNumberOfSteps() > 1)
+  {
+    written.PointHash = mesh->HashPoints();
+  }
   written.Mesh = std::move(mesh);
   if (this->PointsMove && written.Mesh->Coordinates)
   {
@@ -199,7 +202,7 @@ bool vtkGatunWriter::vtkInternals::UseMesh(vtkUnstructuredGrid* grid,
       std::to_string(this->Step) + " (time " + std::to_string(this->Times[this->Step]) + ")");
   }
   this->Living.reset();
-  const std::size_t cellHash = this->GetNumberOfSteps() > 1 ? mesh->HashCells() : 0;
+  const auto cellHash = this->GetNumberOfSteps() > 1 ? mesh->HashCells() : gatun::Fingerprint();
   for (const WrittenMesh& written : this->Meshes)
   {
     if (!written.IsOverwritten && written.HasCells(*mesh, cellHash))

@@ -80,16 +80,17 @@ public:
   struct WrittenMesh
   {
     std::uint32_t Number = 0;
-    std::size_t CellHash = 0;
-    std::size_t PointHash = 0;
+    gatun::Fingerprint CellHash; // the input may overwrite the memory of an earlier step
+    gatun::Fingerprint PointHash;
     std::unique_ptr<gatun::BridgedMesh> Mesh;
     std::unique_ptr<gatun::MergeTree> Tree; // null without hierarchy
     bool IsOverwritten = false;             // its memory has another mesh now
 
-    bool HasCells(const gatun::BridgedMesh& other, std::size_t hash) const;
+    bool HasCells(const gatun::BridgedMesh& other, const gatun::Fingerprint& hash) const;
     bool SharesMemory(const gatun::BridgedMesh& other) const;
   };
-  WrittenMesh MakeMesh(std::unique_ptr<gatun::BridgedMesh> mesh, std::size_t cellHash) const;
+  WrittenMesh MakeMesh(
+    std::unique_ptr<gatun::BridgedMesh> mesh, const gatun::Fingerprint& cellHash) const;
 
   // While a file is being written.
   std::vector<WrittenMesh> Meshes;         // the first one and the one that was added last

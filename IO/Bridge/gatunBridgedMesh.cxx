@@ -14,9 +14,10 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
-#include <string_view>
+#include <cstddef>
+#include <span>
 
 namespace gatun
 {
@@ -117,31 +118,40 @@ BridgedMesh::~BridgedMesh() = default;
 //------------------------------------------------------------------------------
 namespace
 {
-std::size_t HashArray(vtkDataArray* array)
+template <std::size_t N>
+Fingerprint HashArrays(const std::array<vtkDataArray*, N>& arrays)
 {
-  const auto bytes = array ? std::string_view(static_cast<const char*>(array->GetVoidPointer(0)),
-                               static_cast<std::size_t>(array->GetNumberOfValues()) *
-                                 static_cast<std::size_t>(array->GetDataTypeSize()))
-                           : std::string_view();
-  return std::hash<std::string_view>()(bytes);
-}
-}
-
-//------------------------------------------------------------------------------
-std::size_t BridgedMesh::HashCells() const
-{
-  std::size_t all = 0;
-  for (vtkDataArray* array : { this->Connectivity.Get(), this->Offsets.Get(), this->Types.Get(),
-         this->FaceLocations.Get(), this->Faces.Get() })
+  std::array<std::span<const std::uint8_t>, N> bytes;
+  for (std::size_t i = 0; i < N; ++i)
   {
-    all = all * 31 + HashArray(array);
+    if (vtkDataArray* const array = arrays[i])
+    {
+      bytes[i] = { static_cast<const std::uint8_t*>(array->GetVoidPointer(0)),
+        static_cast<std::size_t>(array->GetNumberOfValues()) *
+          static_cast<std::size_t>(array->GetDataTypeSize()) };
+    }
   }
-  return all;
+  return MakeFingerprint(bytes);
+}
 }
 
 //------------------------------------------------------------------------------
-std::size_t BridgedMesh::HashPoints() const
+Fingerprint BridgedMesh::HashCells() const
 {
-  return HashArray(this->Coordinates);
+  return HashArrays<5>(
+    { this->Connectivity, this->Offsets, this->Types, this->FaceLocations, this->Faces });
+}
+
+//------------------------------------------------------------------------------
+Fingerprint BridgedMesh::HashPoints() const
+{
+  return HashArrays<1>({ this->Coordinates });
+}
+
+//------------------------------------------------------------------------------
+Fingerprint BridgedMesh::Hash() const
+{
+  return HashArrays<6>({ this->Coordinates, this->Connectivity, this->Offsets, this->Types,
+    this->FaceLocations, this->Faces });
 }
 }

@@ -5,11 +5,10 @@
 #define gatunBridgedMesh_h
 
 #include "gatunFileWriter.h"
+#include "gatunFingerprint.h"
 
 #include "vtkGatunIOModule.h" // For export macro
 #include "vtkSmartPointer.h"
-
-#include <cstddef>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
@@ -41,10 +40,10 @@ struct VTKGATUNIO_EXPORT BridgedMesh
   explicit BridgedMesh(vtkUnstructuredGrid* grid);
   ~BridgedMesh();
 
-  /** Hashes of cells, of coordinates, and of both. */
-  std::size_t HashCells() const;
-  std::size_t HashPoints() const;
-  std::size_t Hash() const { return 31 * this->HashCells() + this->HashPoints(); }
+  /** Fingerprints of the cells, of the coordinates, and of both. */
+  Fingerprint HashCells() const;
+  Fingerprint HashPoints() const;
+  Fingerprint Hash() const;
 
 private:
   void SetOthers(vtkUnstructuredGrid* grid);

@@ -114,7 +114,7 @@ private:
   std::vector<ArrayDescription> Arrays;
   std::size_t Surveyed = 0; // pieces, empty ones included
   std::size_t Written = 0;
-  std::size_t MeshHash = 0; // of the piece that is being surveyed
+  Fingerprint MeshHash; // of the piece that is being surveyed
   bool WasEmpty = false;
   bool PointsConverted = false;
   Input Current; // the piece that is being written, with the values of its first step

@@ -18,6 +18,7 @@
 namespace gatun
 {
 struct CellMask;
+struct LivingCounts;
 struct Quantizer;
 
 class MergeDependencies;
@@ -182,10 +183,10 @@ public:
 
 private:
   friend const Internals& InternalsOf(const FileReader& file);
-  friend const CellMask* MaskOf(const FileReader& file);
+  friend std::shared_ptr<const CellMask> MaskOf(const FileReader& file);
 
   explicit FileReader(std::shared_ptr<const Internals> self);
-  void SetMask(CellMask mask);
+  void SetMask(std::uint32_t mask);
 
   ArrayRanges GetRangesAfter(
     std::uint32_t array, std::size_t step, std::size_t chunk, std::size_t merges) const;
@@ -193,7 +194,8 @@ private:
   std::shared_ptr<const Internals> Self;
 
   // If some cells are left out.
-  std::shared_ptr<const CellMask> Mask;
+  std::uint32_t Mask = 0;
+  std::shared_ptr<const LivingCounts> Living;
   std::vector<ChunkInfo> MaskedChunks;
   std::uint64_t MaskedTets = 0;
 };

@@ -9,6 +9,7 @@
 #include "gatunGeometry.h"
 #include "gatunInputFile.h"
 #include "gatunLayers.h"
+#include "gatunPageCache.h"
 #include "gatunSeriesTable.h"
 #include "gatunTablePages.h"
 #include "gatunTreeTable.h"
@@ -103,8 +104,8 @@ public:
   /** Throws unless the values of the chunks at the first step are within their layers. */
   void CheckLayers() const;
 
-  /** A mask of the cells, from 1. */
-  CellMask ReadMask(std::size_t mask) const;
+  /** A mask of the cells, from 1. Those that were used last are kept. */
+  std::shared_ptr<const CellMask> GetMask(std::size_t mask) const;
 
   /** The name of a base mesh in messages. */
   static std::string GetLevelName(std::size_t level)
@@ -140,6 +141,8 @@ private:
 
   std::optional<TablePages> Tables;
   std::uint64_t StepBytes = 0; // unpacked size of the tables of all steps
+  static constexpr std::uint64_t KeptMaskBytes = 32u << 20;
+  mutable PageCache MaskPages{ KeptMaskBytes };
 
   void Read();
   void ReadCells();
@@ -150,6 +153,7 @@ private:
   void ReadBoundary();
   void CheckBoundary(const Internals& whole) const;
   void ReadSeries();
+  CellMask ReadMask(std::size_t mask) const;
   bool HasStepsOf(const std::vector<StoredStep>& series, std::size_t mesh) const;
   void CheckLevel(const Internals& whole, std::size_t level) const;
   void AddStepBytes(std::span<const std::uint8_t> packed);
@@ -161,10 +165,10 @@ inline const FileReader::Internals& InternalsOf(const FileReader& file)
   return *file.Self;
 }
 
-/** The cells that a mesh of a series has, or null if it has all. */
-inline const CellMask* MaskOf(const FileReader& file)
+/** The cells that a mesh of a series has, or null if it has all. Throws Error as GetMask does. */
+inline std::shared_ptr<const CellMask> MaskOf(const FileReader& file)
 {
-  return file.Mask.get();
+  return file.Mask > 0 ? file.Self->GetMask(file.Mask) : nullptr;
 }
 }
 

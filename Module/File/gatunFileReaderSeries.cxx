@@ -108,6 +108,12 @@ CellMask FileReader::Internals::ReadMask(std::size_t mask) const
 }
 
 //------------------------------------------------------------------------------
+std::shared_ptr<const CellMask> FileReader::Internals::GetMask(std::size_t mask) const
+{
+  return this->MaskPages.Get<CellMask>({ 0, mask }, [&] { return this->ReadMask(mask); });
+}
+
+//------------------------------------------------------------------------------
 std::unique_ptr<FileReader::Internals> FileReader::Internals::MakeMesh(
   const Internals& whole, std::size_t mesh)
 {
@@ -130,7 +136,7 @@ std::unique_ptr<FileReader::Internals> FileReader::Internals::MakeMesh(
 //------------------------------------------------------------------------------
 std::size_t FileReader::GetNumberOfMeshes() const
 {
-  return this->Mask ? 1 : std::max<std::size_t>(this->Self->Kinds.size(), 1);
+  return this->Living ? 1 : std::max<std::size_t>(this->Self->Kinds.size(), 1);
 }
 
 //------------------------------------------------------------------------------
@@ -146,7 +152,7 @@ std::size_t FileReader::GetParentMesh(std::size_t mesh) const
 const std::vector<SeriesStep>& FileReader::GetSeries() const
 {
   static const std::vector<SeriesStep> none;
-  return this->Mask ? none : this->Self->Series;
+  return this->Living ? none : this->Self->Series;
 }
 
 //------------------------------------------------------------------------------
@@ -178,21 +184,23 @@ std::shared_ptr<const FileReader> FileReader::OpenMesh(
   std::shared_ptr<FileReader> opened(new FileReader(std::move(content)));
   if (kind.Mask > 0)
   {
-    opened->SetMask(opened->Self->ReadMask(kind.Mask));
+    opened->SetMask(kind.Mask);
   }
   return opened;
 }
 
 //------------------------------------------------------------------------------
 /** Leaves only some of the cells. */
-void FileReader::SetMask(CellMask mask)
+void FileReader::SetMask(std::uint32_t mask)
 {
-  this->Mask = std::make_shared<const CellMask>(std::move(mask));
+  const auto cells = this->Self->GetMask(mask);
+  this->Mask = mask;
+  this->Living = std::make_shared<const LivingCounts>(*cells);
   this->MaskedChunks = this->Self->GetTables().GetChunks();
   this->MaskedTets = 0;
   for (ChunkInfo& chunk : this->MaskedChunks)
   {
-    const auto alive = this->Mask->Count(chunk.FirstCell, chunk.Cells);
+    const auto alive = cells->Count(chunk.FirstCell, chunk.Cells);
     // How many tetrahedra other cells consist of is known only when they are decoded.
     chunk.Tets = chunk.Cells == chunk.Tets
       ? alive
@@ -206,6 +214,6 @@ void FileReader::SetMask(CellMask mask)
 //------------------------------------------------------------------------------
 bool FileReader::HasAllCells() const
 {
-  return this->Mask == nullptr;
+  return this->Living == nullptr;
 }
 }

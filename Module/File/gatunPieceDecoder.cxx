@@ -70,7 +70,7 @@ public:
 
   const std::shared_ptr<ChunkCache> Cache;
   const std::shared_ptr<const FileReader> File;
-  const CellMask* const Mask; // null if all cells are alive
+  const std::shared_ptr<const CellMask> Mask; // null if all cells are alive
   PieceRequest Request;
   std::shared_ptr<const CoarseLayout> Layout;  // of the last merges
   std::shared_ptr<const MergeTree> LayoutTree; // of these
@@ -199,7 +199,7 @@ void PieceDecoder::Internals::SetRequest(const PieceRequest& request, const Prog
     try
     {
       this->Cut.emplace(*this->Around, this->Piece->GetSet(),
-        PieceCut{ this->Mask, request.GhostLevels, this->IsRestored }, progress);
+        PieceCut{ this->Mask.get(), request.GhostLevels, this->IsRestored }, progress);
     }
     catch (...)
     {

@@ -17,17 +17,27 @@
 
 namespace gatun
 {
-/** Which cells of a mesh are alive, in the order of the file. */
-struct CellMask
+/** The numbers of points and living cells of a time step. */
+struct LivingCounts
 {
-  std::vector<bool> IsAlive;        ///< one for each cell of the mesh
   bool DropsPoints = false;         ///< whether points of no living cell are left out
   std::uint64_t Cells = 0;          ///< living ones
   std::uint64_t Points = 0;         ///< that time steps have
   std::vector<CellTypeCount> Types; ///< of the living cells, as many as the mesh has
 
+  bool operator==(const LivingCounts&) const = default;
+};
+
+/** Which cells of a mesh are alive, in the order of the file. */
+struct CellMask : LivingCounts
+{
+  std::vector<bool> IsAlive; ///< one for each cell of the mesh
+
   /** The number of living cells among some that follow each other. */
   std::uint64_t Count(std::uint64_t first, std::uint64_t cells) const;
+
+  /** The memory that it takes. */
+  std::uint64_t GetBytes() const { return sizeof(*this) + this->IsAlive.capacity() / 8; }
 
   bool operator==(const CellMask&) const = default;
 

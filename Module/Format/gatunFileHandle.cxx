@@ -29,14 +29,6 @@ int FileHandle::Open(const std::string& path, int flags, ::mode_t mode)
 }
 
 //------------------------------------------------------------------------------
-int FileHandle::Duplicate(const FileHandle& other)
-{
-  this->Close();
-  this->Descriptor = ::fcntl(other.Descriptor, F_DUPFD_CLOEXEC, 0);
-  return this->IsOpen() ? 0 : errno;
-}
-
-//------------------------------------------------------------------------------
 int FileHandle::ReadAt(std::uint64_t offset, std::span<std::uint8_t>& bytes) const
 {
   while (!bytes.empty())

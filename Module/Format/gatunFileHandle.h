@@ -29,9 +29,6 @@ public:
   /** Opens a file; O_CLOEXEC is added to the flags. The umask applies to mode. */
   int Open(const std::string& path, int flags, ::mode_t mode = 0);
 
-  /** Opens the file of another handle once more. */
-  int Duplicate(const FileHandle& other);
-
   /** Reads at an offset and removes from the span what has been read. Bytes remain only if the
    * file ends before. Thread safe. */
   int ReadAt(std::uint64_t offset, std::span<std::uint8_t>& bytes) const;

@@ -29,16 +29,17 @@ std::string ToText(FourCC name)
 InputFile::InputFile(const std::string& path, const ContainerKind& kind)
   : Kind(kind)
   , Path(path)
+  , Handle(std::make_shared<FileHandle>())
 {
   // Without O_NONBLOCK, opening a pipe would block.
-  if (const int error = this->Handle.Open(path, O_RDONLY | O_NONBLOCK))
+  if (const int error = this->Handle->Open(path, O_RDONLY | O_NONBLOCK))
   {
     this->Fail(ErrorCode::CannotOpen, "cannot open", {}, {}, error);
   }
   struct stat status
   {
   };
-  if (::fstat(this->Handle.GetDescriptor(), &status) != 0 || !S_ISREG(status.st_mode))
+  if (::fstat(this->Handle->GetDescriptor(), &status) != 0 || !S_ISREG(status.st_mode))
   {
     this->Fail(ErrorCode::CannotOpen,
       S_ISDIR(status.st_mode) ? "cannot open: is a directory"
@@ -53,15 +54,12 @@ InputFile::InputFile(const InputFile& whole, const StreamRef& section, const std
   : Kind(whole.Kind)
   , Path(whole.Path)
   , Part(name)
+  , Handle(whole.Handle)
   , Base(whole.Base + section.Offset)
   , Extents(whole.Extents)
   , Size(section.Length)
 {
   whole.CheckInside(section, name);
-  if (const int error = this->Handle.Duplicate(whole.Handle))
-  {
-    this->Fail(ErrorCode::CannotOpen, "cannot open", {}, {}, error);
-  }
   const auto isShared = [&](const SectionRef& other)
   {
     return other.Name == SectionGrid && other.Version == GridVersionWithExtents &&
@@ -126,7 +124,7 @@ void InputFile::ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) cons
     const auto length =
       static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), place.Length));
     auto rest = bytes.first(length);
-    const int error = this->Handle.ReadAt(place.Offset, rest);
+    const int error = this->Handle->ReadAt(place.Offset, rest);
     const auto reached = offset + (length - rest.size());
     if (error != 0)
     {

@@ -91,8 +91,8 @@ private:
 
   const ContainerKind& Kind;
   std::string Path;
-  std::string Part; // the name of an embedded file
-  FileHandle Handle;
+  std::string Part;                         // the name of an embedded file
+  std::shared_ptr<FileHandle> Handle;       // of the whole file, for all files in it
   std::uint64_t Base = 0;                   // the position of an embedded file
   std::shared_ptr<const ExtentMap> Extents; // in which that is, if it is not in one piece
   std::uint64_t Size = 0;

@@ -7,6 +7,7 @@ gatun_core_folder(Support
   EXPERIMENTAL_HEADERS
     gatunCacheBudget.h
     gatunDefaultOpacity.h
+    gatunFingerprint.h
     gatunFraming.h
     gatunPageArray.h
     gatunParallel.h
@@ -30,6 +31,7 @@ gatun_core_folder(Support
     gatunCacheBudget.cxx
     gatunDefaultOpacity.cxx
     gatunError.cxx
+    gatunFingerprint.cxx
     gatunFourier.cxx
     gatunFraming.cxx
     gatunKeepMemory.cxx

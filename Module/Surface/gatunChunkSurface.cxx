@@ -80,7 +80,7 @@ public:
     : List(&all)
     , Parents(cells)
   {
-    const CellMask* const mask = MaskOf(*parts.GetFile());
+    const auto mask = MaskOf(*parts.GetFile());
     const auto& info = parts.Content().GetTables().GetChunks()[chunk];
     if (!mask || mask->Count(info.FirstCell, info.Cells) == info.Cells)
     {

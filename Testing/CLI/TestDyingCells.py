@@ -9,6 +9,7 @@ import os
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 from gatunCli import enter_folder, gtn, lattice, make_grid, read, write
 
@@ -26,6 +27,13 @@ def grid_at(step, drops=True):
     field = np.sin(3 * points[kept, 2] + 0.1 * step).astype(np.float32)
     return make_grid(points[kept], number[alive], {"field": field},
                      {"cell": np.flatnonzero(centers >= FRONTS[step])})
+
+
+def count_triangles(name):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(name)
+    reader.Update()
+    return reader.GetOutput().GetNumberOfCells()
 
 
 files = [f"step{step}.vtu" for step in range(len(FRONTS))]
@@ -68,7 +76,7 @@ assert os.path.getsize("small.gtn") < 0.7 * os.path.getsize("other.gtn")
 # Everything else takes the living cells.
 gtn("contour", "-q", "--step", 4, "--value", 0.3, "run.gtn", "file.vtp")
 gtn("contour", "-q", "--value", 0.3, "step4.vtu", "grid.vtp")
-assert read("file.vtp").GetNumberOfCells() == read("grid.vtp").GetNumberOfCells() > 0
+assert count_triangles("file.vtp") == count_triangles("grid.vtp") > 0
 gtn("simplify", "-q", "--step", 4, "--ratio", 0.5, "run.gtn", "simple.vtu")
 assert 0 < read("simple.vtu").GetNumberOfCells() < grid_at(4).GetNumberOfCells()
 gtn("render", "-q", "--step", 4, "--size", "80x60", "run.gtn", "file.png")

@@ -51,7 +51,7 @@ for folder in golden.folders():
             decoder = Decoder(file.read())
         boundary = decoder.boundary()
         has_boundary = folder.endswith("v1.5") or name in (
-            "bounded_boundary.gtn", "moving_tree.gtn", "series_levels.gtn")
+            "bounded_boundary.gtn", "moving_tree.gtn", "returning_levels.gtn", "series_levels.gtn")
         assert (boundary is not None) == has_boundary, name
         if boundary is not None:
             check_boundary(decoder, boundary)
