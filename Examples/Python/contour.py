@@ -36,7 +36,6 @@ picture = gatun.render(
     size=(360, 300),
     colors=[(0.1, 0.2, 0.5), (0.2, 0.6, 0.8), (1, 0.8, 0.3), (0.9, 0.3, 0.1)],
     background="white",
-    zoom=1.4,
     azimuth=10,
     elevation=10,
 )

@@ -26,7 +26,7 @@ for bits in (1, 0.1, 0.02):
             colors=[(0.5, 0.2, 0.1), (0.9, 0.6, 0.5), (1, 0.95, 0.8)],
             opacity=[(60, 0), (120, 0.02), (350, 0.08), (800, 0.9)],
             background="#101018",
-            zoom=1.4,
+            zoom=1.3,
         )
     )
 gatun.save_png(np.hstack(pictures), f"{folder}/hartley_volume.png")

@@ -44,7 +44,6 @@ picture = gatun.render(
     opacity=[0.1, 0.3, 0.9],
     background="white",
     direction=(0.3, 0.4, -1),
-    zoom=1.3,
     dtype=np.float32,
 )
 gatun.save_png(np.hstack([picture, cut]), f"{folder}/open_and_slice.png")

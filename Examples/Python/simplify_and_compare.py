@@ -24,7 +24,7 @@ for ratio in (0, 0.9, 0.99, 0.995):
         colors=[(0.2, 0.1, 0.4), (0.1, 0.5, 0.6), (0.5, 0.9, 0.3), (1, 1, 0.6)],
         opacity=[0, 0.05, 0.4],
         background="white",
-        zoom=1.9,
+        zoom=1.4,
         azimuth=10,
         elevation=10,
     )

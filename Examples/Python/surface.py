@@ -20,10 +20,9 @@ pictures = [
     gatun.render(
         f"{folder}/shell.gtn",
         ratio=ratio,
-        size=(250, 230),
+        size=(210, 200),
         colors=[(0.15, 0.25, 0.35), (0.3, 0.55, 0.5), (0.95, 0.9, 0.75)],
         background="white",
-        zoom=1.3,
     )
     for ratio in (0, 0.95)
 ]

@@ -35,7 +35,7 @@ pictures = [
         colors=[(0.1, 0, 0.3), (0.2, 0.3, 0.9), (0.3, 0.9, 0.9), (1, 1, 1)],
         opacity=[0, 0.05, 0.6],
         background="#0c0c14",
-        zoom=1.9,
+        zoom=1.4,
         azimuth=10,
         elevation=10,
     )
