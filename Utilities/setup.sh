@@ -304,6 +304,7 @@ run_bench() {
 run_soak() {
   install_packages "${packages_build[@]}" "${packages_test[@]}" "${packages_soak[@]}"
   build_vtk -DGATUN_BUILD_TESTING=ON
+  cmake --build "$build/release" --parallel "$jobs" --target damageFile
   build_tree fuzz
   cmake --build "$build/fuzz" --parallel "$jobs" --target makeCorpus
   build_tree asan-ubsan

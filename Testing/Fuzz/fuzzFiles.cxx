@@ -4,6 +4,7 @@
 
 #include "gatunError.h"
 #include "gatunFileReader.h"
+#include "gatunFileReaderInternals.h"
 #include "gatunMergeDependencies.h"
 #include "gatunPieceDecoder.h"
 #include "gatunVerifyFile.h"
@@ -29,6 +30,7 @@ constexpr std::uint64_t MostValues = 1u << 16;
 constexpr std::size_t MostChunks = 12;
 constexpr std::size_t MostSteps = 5;
 constexpr std::size_t MostLevels = 3;
+constexpr std::size_t MostMeshes = 5;
 
 [[noreturn]] void Stop(const std::string& why)
 {
@@ -97,8 +99,12 @@ void DecodePiece(PieceDecoder& decoder, const FileReader& file, const PieceReque
     return std::all_of(ids.begin(), ids.end(),
       [&](std::int64_t id) { return id >= 0 && static_cast<std::uint64_t>(id) < end; });
   };
-  if (!allBelow(connectivity, points) || !allBelow(pointIds, file.GetNumberOfPoints()) ||
-    !allBelow(cellIds, CountCells(file)) ||
+  // If some cells are left out, the others keep the numbers that they have in the whole mesh.
+  const auto& meta = InternalsOf(file).Meta;
+  const auto ofCells =
+    file.IsSurface() ? InternalsOf(file).GetTables().GetNumberOfCells() : meta.Tets;
+  if (!allBelow(connectivity, points) || !allBelow(pointIds, meta.Points) ||
+    !allBelow(cellIds, ofCells) ||
     (!decoder.IsTetrahedral() && !allBelow(offsets, connectivity.size() + 1)))
   {
     Stop("a decoded id is out of range");
@@ -263,7 +269,7 @@ bool DecodeFile(const std::string& path)
   try
   {
     DecodeTree(file);
-    for (std::size_t mesh = 1; mesh < std::min(MostLevels, file->GetNumberOfMeshes()); ++mesh)
+    for (std::size_t mesh = 1; mesh < std::min(MostMeshes, file->GetNumberOfMeshes()); ++mesh)
     {
       DecodeTree(file->OpenMesh(mesh));
     }

@@ -6,6 +6,7 @@
 
 #include "fuzzFiles.h"
 #include "fuzzInput.h"
+#include "gatunExtents.h"
 #include "gatunTreeSample.h"
 
 #include <array>
@@ -201,7 +202,20 @@ private:
   std::vector<Bytes> Trees, Streams, Steps, Levels;
 };
 
-Bytes Change(Image& image, std::minstd_rand& random);
+/** A file with a change. Throws Error if its tables cannot be read. */
+Bytes ChangeFile(std::span<const std::uint8_t> bytes, std::minstd_rand& random);
+
+void ChangeEmbedded(Bytes& file, std::minstd_rand& random)
+{
+  try
+  {
+    file = ChangeFile(file, random);
+  }
+  catch (const Error&)
+  {
+    Mutate(file, 4);
+  }
+}
 
 void MutatePacked(Bytes& packed)
 {
@@ -259,20 +273,7 @@ void TreeParts::Change(const Image& image, std::minstd_rand& random)
       if (!this->Levels.empty())
       {
         auto& level = pick(this->Levels);
-        fuzz::MemoryFile file;
-        file.Set(level);
-        try
-        {
-          Image inner(file.GetPath());
-          const TreeParts parts(file.GetPath());
-          const auto changed = ::Change(inner, random);
-          parts.AddTo(inner);
-          level = parts.IsEmpty() ? changed : inner.Build();
-        }
-        catch (const Error&)
-        {
-          Mutate(level, 4);
-        }
+        ChangeEmbedded(level, random);
       }
       break;
     case 5:
@@ -302,7 +303,7 @@ void MutateTable(Image& image, FourCC name, std::size_t number)
   };
 }
 
-Bytes Change(Image& image, std::minstd_rand& random)
+void Change(Image& image, std::minstd_rand& random)
 {
   const auto streams = GetStreams(image);
   switch (random() % 12)
@@ -346,6 +347,102 @@ Bytes Change(Image& image, std::minstd_rand& random)
       }
       break;
   }
+}
+
+/** The file of a mesh that has bytes in common with the file that it is in. */
+Bytes PutTogether(std::span<const std::uint8_t> whole, const StreamRef& section)
+{
+  const auto list = ExtentMap::FindList(whole.subspan(section.Offset, section.Length), section);
+  const ExtentMap map(whole.subspan(list.Offset, list.Length), list, section);
+  Bytes file;
+  while (file.size() < map.GetSize())
+  {
+    const auto place = map.Find(file.size());
+    const auto run = whole.subspan(place.Offset, place.Length);
+    file.insert(file.end(), run.begin(), run.end());
+  }
+  return file;
+}
+
+/** Sections that an image leaves out: layers, marks of surfaces, boundaries, meshes and times of a
+ * series, and cells that die. */
+class OtherParts
+{
+public:
+  OtherParts(const std::string& path, std::span<const std::uint8_t> whole)
+  {
+    constexpr std::array names{ SectionLayers, SectionSurface, SectionBoundary, SectionGrid,
+      SectionTime, SectionLive };
+    const InputFile file(path);
+    for (const auto& section : file.GetSections())
+    {
+      if (section.Name == SectionGrid && section.Version == GridVersionWithExtents)
+      {
+        // What is before the section moves, and fuzzSeries.cxx has the list of runs.
+        file.Read(section.Payload, "a section");
+        this->Sections.push_back(
+          { SectionGrid, PutTogether(whole, section.Payload), SectionVersion, 0 });
+      }
+      else if (std::find(names.begin(), names.end(), section.Name) != names.end())
+      {
+        this->Sections.push_back({ section.Name, file.Read(section.Payload, "a section"),
+          section.Version, section.Flags });
+      }
+    }
+  }
+
+  bool IsEmpty() const { return this->Sections.empty(); }
+
+  void Change(std::minstd_rand& random)
+  {
+    const auto at = random() % this->Sections.size();
+    auto& section = this->Sections[at];
+    if (random() % 16 == 0)
+    {
+      section.Payload = this->Sections[random() % this->Sections.size()].Payload;
+    }
+    else if (section.Name == SectionBoundary || section.Name == SectionGrid)
+    {
+      ChangeEmbedded(section.Payload, random);
+    }
+    else
+    {
+      MutatePacked(section.Payload);
+    }
+  }
+
+  /** Makes them sections of the image, behind all others. */
+  void AddTo(Image& image) const
+  {
+    image.MoreSections.insert(
+      image.MoreSections.end(), this->Sections.begin(), this->Sections.end());
+  }
+
+private:
+  std::vector<Image::Section> Sections;
+};
+
+Bytes ChangeFile(std::span<const std::uint8_t> bytes, std::minstd_rand& random)
+{
+  fuzz::MemoryFile file;
+  file.Set(bytes);
+  Image image(file.GetPath());
+  TreeParts tree(file.GetPath());
+  OtherParts others(file.GetPath(), bytes);
+  if (!others.IsEmpty() && random() % 2)
+  {
+    others.Change(random);
+  }
+  else if (!tree.IsEmpty() && random() % 2)
+  {
+    tree.Change(image, random);
+  }
+  else
+  {
+    Change(image, random);
+  }
+  tree.AddTo(image);
+  others.AddTo(image);
   return image.Build();
 }
 }
@@ -356,20 +453,7 @@ std::size_t LLVMFuzzerCustomMutator(
   std::minstd_rand random(seed + 1);
   try
   {
-    auto& file = GetFile();
-    file.Set({ data, size });
-    Image image(file.GetPath());
-    TreeParts tree(file.GetPath());
-    if (!tree.IsEmpty() && random() % 2)
-    {
-      tree.Change(image, random);
-    }
-    else
-    {
-      Change(image, random);
-    }
-    tree.AddTo(image);
-    const auto changed = image.Build();
+    const auto changed = ChangeFile({ data, size }, random);
     if (changed.size() <= most)
     {
       std::copy(changed.begin(), changed.end(), data);

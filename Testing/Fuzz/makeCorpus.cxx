@@ -3,12 +3,13 @@
 
 // Writes seeds for the fuzz targets: makeCorpus FOLDER. Each target gets a folder of its own below.
 
+#include "makeCorpus.h"
+
 #include "fuzzMeshes.h"
 #include "gatunCellCodec.h"
 #include "gatunCellMask.h"
 #include "gatunEntropy.h"
 #include "gatunExtents.h"
-#include "gatunFileImage.h"
 #include "gatunHartleyCodec.h"
 #include "gatunHartleyFileImage.h"
 #include "gatunHartleySample.h"
@@ -19,8 +20,6 @@
 #include "gatunTreeSample.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <random>
 
@@ -28,30 +27,6 @@ namespace
 {
 using namespace gatun;
 namespace fs = std::filesystem;
-
-class Corpus
-{
-public:
-  explicit Corpus(fs::path folder)
-    : Folder(std::move(folder))
-  {
-  }
-
-  void Add(const std::string& target, std::span<const std::uint8_t> bytes)
-  {
-    fs::create_directories(this->Folder / target);
-    std::ofstream out(
-      this->Folder / target / ("seed-" + std::to_string(this->Count++)), std::ios::binary);
-    out.write(
-      reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  }
-
-  fs::path GetFolder() const { return this->Folder; }
-
-private:
-  fs::path Folder;
-  unsigned Count = 0;
-};
 
 Bytes MakeNoise(std::size_t size, std::mt19937& random)
 {
@@ -270,50 +245,6 @@ FieldData MakeField()
   return field;
 }
 
-/** The tables of a file as one input: of the mesh and its pages, then of the first step. */
-Bytes GetTables(test::FileImage image)
-{
-  std::vector<Bytes> mesh(2);
-  std::vector<Bytes> pages;
-  std::vector<Bytes> step;
-  image.ChangeTable = [&](FourCC name, std::size_t number, const Bytes& table)
-  {
-    if (name == SectionMeta || name == SectionTable)
-    {
-      mesh[name == SectionTable] = table;
-    }
-    else if (name == SectionPages)
-    {
-      pages.push_back(table);
-    }
-    else if (number == 0)
-    {
-      step.push_back(table);
-    }
-  };
-  image.Build();
-  const auto count = GetPageCount(image.Mesh.Chunks.size());
-  for (std::size_t page = 0; page < count; ++page)
-  {
-    mesh.insert(mesh.begin() + static_cast<std::ptrdiff_t>(2 + page), pages[2 * page]);
-    mesh.push_back(pages[2 * page + 1]);
-  }
-  if (!step.empty())
-  {
-    const auto first = pages.begin() + static_cast<std::ptrdiff_t>(2 * count);
-    step.insert(step.end(), first,
-      first + static_cast<std::ptrdiff_t>(image.Meta.Arrays.empty() ? 0 : count));
-  }
-  mesh.insert(mesh.end(), step.begin(), step.end());
-  ByteWriter out;
-  for (const auto& table : mesh)
-  {
-    out.Put(static_cast<std::uint16_t>(table.size()));
-    out.PutBytes(table);
-  }
-  return std::move(out.Data);
-}
-
 /** A file of some tetrahedra, of one chunk or more. */
 void WriteFile(const std::string& path, const test::TestMesh& mesh, std::uint8_t keep, int steps)
 {
@@ -385,49 +316,6 @@ void AddMovingFiles(Corpus& corpus)
     corpus.Add("Sections", bytes);
     corpus.Add("Tables", GetTables(image));
     corpus.Add("Decompress", image.Meta.Write());
-  }
-  fs::remove(path);
-}
-
-/** Files in which cells die, and in which meshes change and return. */
-void AddSeriesFiles(Corpus& corpus)
-{
-  const auto path = (corpus.GetFolder() / "series.gtn").string();
-  const auto mesh = test::MakeCubes(3, 0.2);
-  const auto other = test::MakeCubes(1, 0.1);
-  std::vector<ArrayDescription> arrays(1);
-  arrays[0].Name = std::string("p");
-  for (const std::uint8_t keep : { KeepNone, KeepAll })
-  {
-    WriterOptions options;
-    options.ChunkTets = 64;
-    options.KeyStepInterval = 2;
-    options.Keep = keep;
-    {
-      FileWriter writer(path, mesh.GetInput(), arrays, options);
-      std::vector<float> values(mesh.GetPoints(), 0.5f);
-      const std::array<const void*, 1> all{ values.data() };
-      writer.WriteStep(all, {}, true, 0);
-      LivingCells living;
-      std::vector<std::uint64_t> cells;
-      for (std::uint64_t cell = 10; cell < mesh.GetTets(); ++cell)
-      {
-        cells.push_back(cell);
-      }
-      living.Cells = cells;
-      writer.WriteStep(all, {}, true, 1, {}, nullptr, &living);
-      living.Cells = living.Cells.subspan(5);
-      writer.WriteStep(all, {}, true, 2, {}, nullptr, &living);
-      for (int i = 0; i < 3; ++i)
-      {
-        writer.AddMesh((i == 1 ? mesh : other).GetInput(), options);
-        writer.WriteStep(all, {}, true, 3 + i);
-      }
-      writer.Finish();
-    }
-    const auto bytes = test::ReadFile(path);
-    corpus.Add("File", bytes);
-    corpus.Add("Sections", bytes);
   }
   fs::remove(path);
 }
@@ -654,10 +542,13 @@ int main(int argc, char* argv[])
   }
   AddFiles(corpus);
   AddMovingFiles(corpus);
-  AddSeriesFiles(corpus);
   AddSeries(corpus);
   AddTreeFiles(corpus);
   AddLayerFiles(corpus);
+  AddSmoothFiles(corpus);
+  AddSeriesFiles(corpus);
+  AddDyingFiles(corpus);
+  AddCellFiles(corpus);
   for (unsigned i = 0; i < 6; ++i)
   {
     AddBlocks(corpus, random);

@@ -6,13 +6,16 @@
 #include "gatunCellMask.h"
 #include "gatunExtents.h"
 #include "gatunHostile.h"
+#include "gatunPieceDecoder.h"
 #include "gatunSeriesTable.h"
 #include "gatunSharedFile.h"
 #include "gatunTableParts.h"
 #include "gatunVerifyFile.h"
 
 #include <cmath>
+#include <filesystem>
 #include <functional>
+#include <iterator>
 #include <limits>
 
 namespace
@@ -409,6 +412,55 @@ TEST(HostileSeries, OneBudgetServesAllMeshes)
   EXPECT_EQ(other->GetBudget(), file.GetBudget());
   EXPECT_THROW(file.GetMesh(2), Error);
   EXPECT_GE(file.GetBytesRead(), other->GetBytesRead());
+}
+
+TEST(HostileSeries, OneDescriptorServesAllMeshes)
+{
+  const auto count = []
+  {
+    const std::filesystem::directory_iterator open("/proc/self/fd");
+    return std::distance(begin(open), end(open));
+  };
+  SeriesImage image;
+  AddMask(image, 0, 0, 0, { 3, 7 });
+  SharedFile file(PutFile("masked.gtn", image.Build()), 1u << 20);
+  const auto before = count();
+  EXPECT_EQ(file.GetMesh(1)->GetFile()->GetNumberOfSteps(), 3u);
+  EXPECT_FALSE(file.GetMesh(2)->GetFile()->HasAllCells());
+  EXPECT_EQ(count(), before);
+}
+
+TEST(HostileSeries, AllCellsMayBeDead)
+{
+  SeriesImage image;
+  ByteWriter mask;
+  mask.Put(std::uint8_t{ 2 });
+  for (const std::uint64_t value : { std::uint64_t{ 0 }, std::uint64_t{ 0 }, std::uint64_t{ 2 },
+         std::uint64_t{ 0 }, image.File.Meta.Tets })
+  {
+    mask.PutVarint(value); // cells, points, and two runs
+  }
+  image.Masks.push_back(mask.Data);
+  image.Table[4].Mask = 1;
+  const auto path = PutFile("dead.gtn", image.Build());
+  EXPECT_TRUE(VerifyFile(FileReader(path)));
+  SharedFile file(path, 1u << 20);
+  const auto mesh = file.GetMesh(2);
+  PieceDecoder decoder(mesh->MakeView(mesh->GetFile(), true));
+  PieceRequest request;
+  for (std::uint32_t chunk = 0; chunk < mesh->GetFile()->GetChunks().size(); ++chunk)
+  {
+    request.Chunks.push_back(chunk);
+  }
+  request.Universe = request.Chunks;
+  for (const unsigned ghosts : { 0u, 1u })
+  {
+    request.GhostLevels = ghosts;
+    decoder.SetRequest(request);
+    EXPECT_EQ(decoder.GetNumberOfCells(), 0u);
+    EXPECT_EQ(decoder.GetNumberOfPoints(), 0u);
+    decoder.Fill({});
+  }
 }
 
 TEST(Series, WriterRefusesWhatNoFileHas)
