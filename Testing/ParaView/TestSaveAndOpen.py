@@ -120,7 +120,7 @@ for time in (1.5, 0.5, 2.5):
 # The same time steps as a series of files, and some of them.
 for first, last, stride, expected in ((0, -1, 1, (0, 1, 2)), (1, 2, 1, (1, 2)), (0, 2, 2, (0, 2))):
     names = [sample.temporary("moved_%d.gtn" % i) for i in range(3)]
-    simple.SaveData(sample.temporary("moved.gtn"), proxy=moving, WriteTimeSteps=1,
+    simple.SaveData(sample.temporary("moved.gtn"), proxy=moving, WriteTimeStepsAsFileSeries=1,
                     MinTimeStep=first, MaxTimeStep=last, TimeStepStride=stride)
     assert [i for i in range(3) if os.path.exists(names[i])] == list(expected), first
     for i in expected:
