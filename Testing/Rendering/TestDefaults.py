@@ -8,6 +8,7 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction, vtkPolyData, vtkTable
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkColorTransferFunction, vtkVolumeProperty
 
+import gatun
 import gatunMeshes as gm
 from gatun import vtkGatunDefaults, vtkGatunReader
 
@@ -70,6 +71,18 @@ diagonal = np.linalg.norm(np.ptp(points[np.unique(tets)], axis=0))
 assert np.isclose(functions_of(make(grid))[2], diagonal / 100)
 assert functions_of(make(grid, UnitDistance=0.5))[2] == 0.5
 
+# Ramps replace what there was; nothing is not a function, and is left alone.
+ramp, colors = vtkPiecewiseFunction(), vtkColorTransferFunction()
+ramp.AddPoint(50, 1)
+vtkGatunDefaults.MakeRamp(-2, 8, ramp)
+vtkGatunDefaults.MakeColors(-2, 8, colors)
+assert tuple(ramp.GetRange()) == tuple(colors.GetRange()) == (-2, 8)
+assert (np.diff(nodes_of(ramp, 4)[:, 1]) > 0).all() and 0 < ramp.GetValue(-2) < 0.02 < 0.4 < ramp.GetValue(8) < 1
+light = [np.dot((0.2126, 0.7152, 0.0722), colors.GetColor(x)) for x in np.linspace(-2, 8, 30)]
+assert (np.diff(light) > 0).all()
+vtkGatunDefaults.MakeRamp(-2, 8, None)
+vtkGatunDefaults.MakeColors(-2, 8, None)
+
 # Opacities for another unit distance are those of as much light.
 one, two = (functions_of(make(grid, UnitDistance=u))[1] for u in (0.01, 0.02))
 probe = np.linspace(0, values.max(), 50)
@@ -113,9 +126,31 @@ assert np.isclose(np.abs(seen_by(camera, 1, used)).max(), 0.94)
 # Of a large file few chunks are decoded.
 reader = open_reader()
 assert make(reader).FitCamera(camera, 1)
-handle = reader.GetOutputInformation(0).Get(__import__("gatun").vtkGatunFileHandle.FILE_HANDLE())
+handle = reader.GetOutputInformation(0).Get(gatun.vtkGatunFileHandle.FILE_HANDLE())
 chunks = reader.GetChunkTable().GetNumberOfRows()
 assert 0 < handle.GetDecodedChunks() < chunks, (handle.GetDecodedChunks(), chunks)
+
+# Of a series, the time that is set counts, or else the one that was requested of the reader last.
+moved = gm.make_grid(2 * points, tets)
+gm.add_array(moved.GetPointData(), values ** 3, "blob")
+first = gm.make_grid(points, tets)
+gm.add_array(first.GetPointData(), values, "blob")
+series = gm.temporary("series.gtn")
+gatun.write([first, moved], series, times=[1, 5])
+for step, mesh in enumerate((first, moved)):
+    for is_set in (True, False):
+        reader = vtkGatunReader()
+        reader.SetFileName(series)
+        if is_set:
+            defaults = make(reader, Time=(1, 5)[step], UseTime=True)
+        else:
+            reader.UpdateTimeStep((1, 5)[step])
+            defaults = make(reader)
+        for a, b in zip(functions_of(defaults), functions_of(make(mesh))):
+            np.testing.assert_array_equal(a, b)
+        cameras = vtkCamera(), vtkCamera()
+        assert defaults.FitCamera(cameras[0], 1) and make(mesh).FitCamera(cameras[1], 1)
+        np.testing.assert_allclose(cameras[0].GetPosition(), cameras[1].GetPosition(), rtol=1e-12)
 
 # What cannot be: a message, and nothing is changed.
 image = vtkImageData()
@@ -141,7 +176,10 @@ defaults.AddObserver("ErrorEvent", lambda *_: None)
 for aspect in (0, -1, float("nan"), float("inf")):
     assert not defaults.FitCamera(vtkCamera(), aspect)
 assert not defaults.FitCameraAround(vtkCamera(), 1, 3, 0, 0, 0)
-assert not defaults.FitCamera(None, 1) and not defaults.MakeProperty(None)
+for call in (lambda: defaults.FitCamera(None, 1), lambda: defaults.MakeProperty(None)):
+    messages = []
+    defaults.AddObserver("ErrorEvent", lambda *_: messages.append(1))
+    assert not call() and messages
 assert "UnitDistance" in str(defaults)
 
 # A damaged file is a message, too.
