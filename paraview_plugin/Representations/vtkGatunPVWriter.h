@@ -55,7 +55,8 @@ public:
   vtkGetMacro(TimeStepStride, int);
   ///@}
 
-  /** The same as the method of the superclass, but "(none)", the choice in the panel, is no array. */
+  /** The same as the method of the superclass, but "(none)", the choice in the panel, is no array.
+   */
   void SetLayerArray(const char* name) override;
 
   /**
