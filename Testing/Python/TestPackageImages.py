@@ -172,6 +172,9 @@ two = [
     for k in (0, 1)
 ]
 assert 0.4 * two[1] < two[0] < 0.6 * two[1], two
+# With default opacities, too.
+shown = [draw(series, array=None, step=k, colors=[(0, 0, 0), (1, 1, 1)])[..., 0].max() for k in (0, 1)]
+assert shown[0] < 140 < 220 < shown[1], shown
 require_equal(draw(series, array=None, time=0.5), draw(series, array=None, step=0))
 
 # Volumes, in memory and in files, by the view of a mesh: a bright corner is where it belongs.
