@@ -242,9 +242,11 @@ TEST(HostileSeries, BytesInCommonAreBeforeTheMesh)
   refuse(notBefore,
     [](std::vector<Extent>& e)
     {
-      // The last bytes before the section, and one more.
-      const auto before = SeriesImage().File.Build().size();
-      e[1].Source = before;
+      // The last bytes before the section, and one more. It is where the directory was.
+      const auto file = SeriesImage().File.Build();
+      const auto before =
+        ByteReader(std::span(file).last(TrailerSize)).Get<std::uint64_t>() - SectionHeaderSize;
+      e[1].Source = before - e[1].Length + 1;
     });
   const std::string longer = "its parts are longer than what is there";
   refuse(longer, [](std::vector<Extent>& e) { e[1].Length = std::uint64_t{ 1 } << 40; });
