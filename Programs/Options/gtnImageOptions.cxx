@@ -279,7 +279,7 @@ vtkSmartPointer<vtkVolumeProperty> MakeImageProperty(const ImageOptions& options
   const ImageContent& content, vtkGatunDefaults* defaults, const gatun::Bounds& box)
 {
   const double unit = DiagonalOf(box) / 100;
-  const auto property = options.TransferFunction == AutomaticTransfer
+  vtkSmartPointer<vtkVolumeProperty> property = options.TransferFunction == AutomaticTransfer
     ? MakeAutomatic(options, content, defaults, unit)
     : MakeProperty(MakeTransfer(options, content), unit);
   if (options.UnitDistance)
