@@ -9,7 +9,7 @@
 #include "gatunFormBuilder.h"
 #include "gatunFormMaker.h"
 
-#include "vtkGatunCoreModule.h" // For export macro
+#include "gatunExport.h" // For export macro
 
 #include <array>
 #include <cstdint>
@@ -34,10 +34,10 @@ struct CellForm
   using Faces = std::vector<std::uint8_t>;
 
   /** Parses FormMaker's code. Throws Error(Corrupt) if it is none. */
-  VTKGATUNCORE_EXPORT explicit CellForm(std::span<const std::uint8_t> code);
+  GATUN_EXPORT explicit CellForm(std::span<const std::uint8_t> code);
 
   /** Throws Error(Corrupt) if the surface is not closed. */
-  VTKGATUNCORE_EXPORT explicit CellForm(const FormBuilder& builder);
+  GATUN_EXPORT explicit CellForm(const FormBuilder& builder);
 
   unsigned GetNumberOfFaces() const { return static_cast<unsigned>(this->FirstSides.size() - 1); }
   unsigned GetFirstSide(unsigned face) const { return this->FirstSides[face]; }
@@ -52,7 +52,7 @@ struct CellForm
   }
 
   /** The faces except the gate as SurfaceView has them, and the gate in the same direction. */
-  VTKGATUNCORE_EXPORT std::vector<std::uint8_t> GetSurface() const;
+  GATUN_EXPORT std::vector<std::uint8_t> GetSurface() const;
 
   unsigned Shape = 0;  // of the table
   unsigned Family = 0; // tetrahedra, pyramids, wedges, hexahedra, others
@@ -98,22 +98,22 @@ public:
   }
 
   /** Adds all forms of a surface, unless there would be too many or they are there. */
-  VTKGATUNCORE_EXPORT bool AddShape(SurfaceView faces, unsigned corners);
+  GATUN_EXPORT bool AddShape(SurfaceView faces, unsigned corners);
 
   /** To be called behind the last AddShape. */
-  VTKGATUNCORE_EXPORT void MakeFrames();
+  GATUN_EXPORT void MakeFrames();
 
   std::size_t GetSize() const { return this->Forms.size(); }
   const CellForm& Get(std::size_t form) const { return this->Forms[form]; }
 
   /** The form with a code, or None. */
-  VTKGATUNCORE_EXPORT std::uint16_t Find(const FormCode& code) const;
+  GATUN_EXPORT std::uint16_t Find(const FormCode& code) const;
 
   /** The form of hexahedra, or None. */
-  VTKGATUNCORE_EXPORT std::uint16_t FindHexahedron() const;
+  GATUN_EXPORT std::uint16_t FindHexahedron() const;
 
   /** The frames of a type's shape, by MakeFrame. Empty if the shape is not in the table. */
-  VTKGATUNCORE_EXPORT std::span<const Frame> GetFrames(const CellShape* shape) const;
+  GATUN_EXPORT std::span<const Frame> GetFrames(const CellShape* shape) const;
 
 private:
   std::vector<CellForm> Forms;

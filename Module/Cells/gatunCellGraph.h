@@ -4,7 +4,7 @@
 #ifndef gatunCellGraph_h
 #define gatunCellGraph_h
 
-#include "vtkGatunCoreModule.h" // For export macro
+#include "gatunExport.h" // For export macro
 
 #include <array>
 #include <cstdint>
@@ -33,10 +33,10 @@ public:
   CellGraph() = default;
 
   /** The graph of a surface. faces: for each one the number of corners, then the corners. */
-  VTKGATUNCORE_EXPORT CellGraph(std::size_t corners, std::span<const Local> faces);
+  GATUN_EXPORT CellGraph(std::size_t corners, std::span<const Local> faces);
 
   /** The graph of a VTK cell type with any number of points. */
-  VTKGATUNCORE_EXPORT static CellGraph OfType(int type, std::size_t points);
+  GATUN_EXPORT static CellGraph OfType(int type, std::size_t points);
 
   std::size_t GetCorners() const { return this->NeighborStarts.size() - 1; }
 

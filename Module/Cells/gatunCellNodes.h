@@ -6,7 +6,7 @@
 
 #include "gatunCellNode.h"
 
-#include "vtkGatunCoreModule.h" // For export macro
+#include "gatunExport.h" // For export macro
 
 #include <cstddef>
 
@@ -17,28 +17,28 @@ constexpr unsigned MaxNodeOrder = 16;
 
 /** Returns the nodes of a VTK cell type with a fixed number of points. Corners is 0 for linear
  * types and for all others. */
-VTKGATUNCORE_EXPORT const CellNodes& GetCellNodes(int type);
+GATUN_EXPORT const CellNodes& GetCellNodes(int type);
 
 /** Whether cells of a type have any order, the same in all directions: Lagrange and Bezier cells
  * except pyramids. */
-VTKGATUNCORE_EXPORT bool HasNodeOrder(int type);
+GATUN_EXPORT bool HasNodeOrder(int type);
 
 /** Returns the order of a cell of such a type with this number of points, or 0 if there is none up
  * to MaxNodeOrder. */
-VTKGATUNCORE_EXPORT unsigned FindNodeOrder(int type, std::size_t points);
+GATUN_EXPORT unsigned FindNodeOrder(int type, std::size_t points);
 
 /** Returns the nodes of cells of such a type. order: 1 to MaxNodeOrder. Safe to call from several
  * threads. */
-VTKGATUNCORE_EXPORT const CellNodes& GetNodesOfOrder(int type, unsigned order);
+GATUN_EXPORT const CellNodes& GetNodesOfOrder(int type, unsigned order);
 
 /** Whether the nodes of cells of a type are known, for some numbers of points. */
-VTKGATUNCORE_EXPORT bool HasNodes(int type);
+GATUN_EXPORT bool HasNodes(int type);
 
 /** Returns the nodes of a cell with this number of points. Corners is 0 if they are not known. */
-VTKGATUNCORE_EXPORT const CellNodes& FindCellNodes(int type, std::size_t points);
+GATUN_EXPORT const CellNodes& FindCellNodes(int type, std::size_t points);
 
 /** Whether FindCellNodes would find them. */
-VTKGATUNCORE_EXPORT bool CanFindCellNodes(int type, std::size_t points);
+GATUN_EXPORT bool CanFindCellNodes(int type, std::size_t points);
 }
 
 #endif

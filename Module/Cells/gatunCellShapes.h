@@ -6,7 +6,7 @@
 
 // The cell types of VTK, by their numbers in vtkCellType.h.
 
-#include "vtkGatunCoreModule.h" // For export macro
+#include "gatunExport.h" // For export macro
 
 #include <cstdint>
 #include <span>
@@ -44,7 +44,7 @@ struct CellKind
 };
 
 /** Returns the kind of a VTK cell type, which may be any number. */
-VTKGATUNCORE_EXPORT CellKind GetCellKind(int type);
+GATUN_EXPORT CellKind GetCellKind(int type);
 }
 
 #endif

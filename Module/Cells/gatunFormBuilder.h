@@ -6,7 +6,7 @@
 
 #include "gatunFormMaker.h"
 
-#include "vtkGatunCoreModule.h" // For export macro
+#include "gatunExport.h" // For export macro
 
 #include <array>
 #include <bitset>
@@ -23,16 +23,16 @@ public:
   static constexpr unsigned None = 255;
 
   /** degree: of the gate. */
-  VTKGATUNCORE_EXPORT void Begin(unsigned degree);
+  GATUN_EXPORT void Begin(unsigned degree);
 
   /** Finds the next edge without a face. Returns false if the surface is closed. */
-  VTKGATUNCORE_EXPORT bool FindEdge();
+  GATUN_EXPORT bool FindEdge();
 
   /** Begins the face over the edge that was found. */
-  VTKGATUNCORE_EXPORT void BeginFace(unsigned size);
+  GATUN_EXPORT void BeginFace(unsigned size);
 
   /** Adds a corner to the face, which may be the next new one. */
-  VTKGATUNCORE_EXPORT void AddCorner(unsigned corner);
+  GATUN_EXPORT void AddCorner(unsigned corner);
 
   /** The corners of the edge that was found. */
   unsigned GetFrom() const { return this->Edge[0]; }

@@ -4,7 +4,7 @@
 #ifndef gatunFormMaker_h
 #define gatunFormMaker_h
 
-#include "vtkGatunCoreModule.h" // For export macro
+#include "gatunExport.h" // For export macro
 
 #include <array>
 #include <cstdint>
@@ -40,7 +40,7 @@ struct FormOrder
 
 /** Whether a surface is closed and oriented, of one piece, and has no more than its corners: every
  * edge is there once in each direction. Faces must have three corners or more. */
-VTKGATUNCORE_EXPORT bool IsClosedSurface(SurfaceView faces, unsigned corners);
+GATUN_EXPORT bool IsClosedSurface(SurfaceView faces, unsigned corners);
 
 /**
  * Sees a closed surface from one of its faces, the gate. The corners of the gate are numbered
@@ -60,7 +60,7 @@ public:
   };
 
   /** start: the corner of the gate that is first. mirrored: whether the faces are clockwise. */
-  VTKGATUNCORE_EXPORT void Make(
+  GATUN_EXPORT void Make(
     SurfaceView faces, unsigned corners, unsigned gate, unsigned start, bool mirrored);
 
   /** The number of corners of the gate, then for each further face the number of its corners and

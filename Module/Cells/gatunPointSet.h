@@ -6,8 +6,8 @@
 
 // Convex point sets as polyhedra, so that the rule of gatunSimplices.h applies to them.
 
+#include "gatunExport.h"
 #include "gatunSimplices.h"
-#include "vtkGatunCoreModule.h"
 
 #include <array>
 #include <cstdint>
@@ -24,7 +24,7 @@ constexpr std::uint8_t ConvexPointSetType = 41;
  * within the rounding of float coordinates, lie in it. There are no faces if all points lie in a
  * plane, if a coordinate is not finite, or if there are more points.
  */
-VTKGATUNCORE_EXPORT std::vector<std::vector<std::uint8_t>> FindHullFaces(
+GATUN_EXPORT std::vector<std::vector<std::uint8_t>> FindHullFaces(
   std::span<const std::array<double, 3>> places);
 
 /** Replaces the faces by those of a convex point set. order: such as PointOrder. */

@@ -8,7 +8,7 @@
 #include "gatunCellForms.h"
 #include "gatunCellList.h"
 
-#include "vtkGatunCoreModule.h" // For export macro
+#include "gatunExport.h" // For export macro
 
 #include <cstdint>
 #include <map>
@@ -29,23 +29,23 @@ class ShapeTable
 {
 public:
   /** Adds the shapes of cells. */
-  VTKGATUNCORE_EXPORT void Add(const CellList& cells);
+  GATUN_EXPORT void Add(const CellList& cells);
 
   /** Adds the shapes of another table, none of which was read. */
-  VTKGATUNCORE_EXPORT void Merge(const ShapeTable& other);
+  GATUN_EXPORT void Merge(const ShapeTable& other);
 
   /** All uses, for another process, and their addition to another table. */
-  VTKGATUNCORE_EXPORT void PutUses(ByteWriter& out) const;
-  VTKGATUNCORE_EXPORT void AddUses(ByteReader& in);
+  GATUN_EXPORT void PutUses(ByteWriter& out) const;
+  GATUN_EXPORT void AddUses(ByteReader& in);
 
   /** The table as it is stored. */
-  VTKGATUNCORE_EXPORT Bytes Write() const;
+  GATUN_EXPORT Bytes Write() const;
 
   /** Reads the result of Write. Safe on hostile input: throws Error(Corrupt). */
-  VTKGATUNCORE_EXPORT static ShapeTable Read(std::span<const std::uint8_t> bytes);
+  GATUN_EXPORT static ShapeTable Read(std::span<const std::uint8_t> bytes);
 
   /** The forms of all shapes. They are made at each call unless the table was read. */
-  VTKGATUNCORE_EXPORT std::shared_ptr<const FormTable> GetForms() const;
+  GATUN_EXPORT std::shared_ptr<const FormTable> GetForms() const;
 
 private:
   /** Whether a shape saves more than it takes here. Others are coded with each cell. */
@@ -70,7 +70,7 @@ class PolyhedronSurface
 public:
   /** Returns false if the polyhedron is not closed, has a point that no face has or not all points
    * of its faces, or is larger than surfaces with forms are. */
-  VTKGATUNCORE_EXPORT bool Set(
+  GATUN_EXPORT bool Set(
     std::span<const std::uint32_t> corners, std::span<const std::uint32_t> faces);
 
   SurfaceView GetFaces() const { return this->Faces; }

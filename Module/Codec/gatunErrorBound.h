@@ -4,7 +4,7 @@
 #ifndef gatunErrorBound_h
 #define gatunErrorBound_h
 
-#include "vtkGatunCoreModule.h" // For export macro
+#include "gatunExport.h" // For export macro
 
 #include <cstdint>
 #include <string>
@@ -43,14 +43,14 @@ struct ArrayError
 
 /** Throws Error(InvalidInput) if a number is not in its range: above 0, for relative bounds at most
  * 1, for pointwise ones below 1; bits from 1 to 52. */
-VTKGATUNCORE_EXPORT void CheckError(const ArrayError& error);
+GATUN_EXPORT void CheckError(const ArrayError& error);
 
 /** The error in a text "NAME=abs:E", "NAME=rel:E", "NAME=pw:E" or "NAME=bits:N". Throws
  * Error(InvalidInput) if it is another text, or the number is not in its range. */
-VTKGATUNCORE_EXPORT ArrayError ParseError(const std::string& text, bool keepZeros);
+GATUN_EXPORT ArrayError ParseError(const std::string& text, bool keepZeros);
 
 /** The text of a bound without a name. */
-VTKGATUNCORE_EXPORT std::string ToString(const ErrorBound& bound);
+GATUN_EXPORT std::string ToString(const ErrorBound& bound);
 }
 
 #endif

@@ -8,9 +8,9 @@
 // Documentation/format.md, 5.5.
 
 #include "gatunErrorBound.h"
+#include "gatunExport.h" // For export macro
 #include "gatunPlainKeys.h"
 #include "gatunTypes.h"
-#include "vtkGatunCoreModule.h" // For export macro
 
 #include <cstddef>
 #include <cstdint>
@@ -65,14 +65,14 @@ struct Quantizer
 
   /** Whether a value may stand for another one. The keys are plain. Exact, but that values that are
    * allowed by less than a millionth of a rounding error may be refused. */
-  VTKGATUNCORE_EXPORT bool IsWithin(ScalarType type, Key original, Key stored) const;
+  GATUN_EXPORT bool IsWithin(ScalarType type, Key original, Key stored) const;
 
   /** The error in the measure of the bound; infinite if NaN or infinity is involved. Keys that are
    * equal have no error. */
-  VTKGATUNCORE_EXPORT double Measure(ScalarType type, Key original, Key stored) const;
+  GATUN_EXPORT double Measure(ScalarType type, Key original, Key stored) const;
 
   /** The largest error allowed, in the same measure. */
-  VTKGATUNCORE_EXPORT double GetAllowed(ScalarType type) const;
+  GATUN_EXPORT double GetAllowed(ScalarType type) const;
 
   /** The place of the lattice for a value, or the value itself if there is none within the bound.
    * The result depends on nothing else. */
@@ -83,7 +83,7 @@ struct Quantizer
 
 /** The quantizer for a bound, or none if the values have to be exact for it. range: that of the
  * component; only a relative bound needs it. */
-VTKGATUNCORE_EXPORT Quantizer MakeQuantizer(
+GATUN_EXPORT Quantizer MakeQuantizer(
   ScalarType type, const ErrorBound& bound, const FiniteRange& range);
 
 /** The index of the place of a lattice that is closest to a key, and the key of a place modulo

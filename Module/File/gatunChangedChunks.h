@@ -3,9 +3,9 @@
 #ifndef gatunChangedChunks_h
 #define gatunChangedChunks_h
 
+#include "gatunExport.h"
 #include "gatunFileReader.h"
 #include "gatunMergeChanges.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace gatun
 /** The chunks of a file that differ between two numbers of merges, ascending: those with a point
  * whose ancestor changes. Changes: of the tree of the file. Takes time in proportion to the points
  * that change. */
-VTKGATUNCORE_EXPORT std::vector<std::uint32_t> FindChangedChunks(
+GATUN_EXPORT std::vector<std::uint32_t> FindChangedChunks(
   const FileReader& file, const MergeChanges& changes, std::size_t from, std::size_t to);
 }
 

@@ -5,8 +5,8 @@
 #define gatunChunkCache_h
 
 #include "gatunCacheBudget.h"
+#include "gatunExport.h"
 #include "gatunFileReader.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstdint>
 #include <memory>
@@ -37,7 +37,7 @@ struct ChunkCacheStatistics
  * Memory: the cache counts every byte of its parts and never holds more than the budget. The parts
  * that decoders are using come on top, even those that do not fit into the cache.
  */
-class VTKGATUNCORE_EXPORT ChunkCache
+class GATUN_EXPORT ChunkCache
 {
 public:
   /** Enough for about ten million tetrahedra with one or two arrays. */

@@ -4,11 +4,11 @@
 #ifndef gatunFileReader_h
 #define gatunFileReader_h
 
+#include "gatunExport.h"
 #include "gatunFieldData.h"
 #include "gatunLayers.h"
 #include "gatunMergeTree.h"
 #include "gatunTypes.h"
-#include "vtkGatunCoreModule.h"
 
 #include <memory>
 #include <span>
@@ -30,7 +30,7 @@ class MergeDependencies;
  * Safe on hostile input: for any bytes, every method returns or throws Error with file and
  * position. Immutable and thread safe.
  */
-class VTKGATUNCORE_EXPORT FileReader
+class GATUN_EXPORT FileReader
 {
 public:
   /** Whether the file has the signature of .gtn files of any version. Never throws. */

@@ -4,11 +4,11 @@
 #ifndef gatunFileWriter_h
 #define gatunFileWriter_h
 
+#include "gatunExport.h"
 #include "gatunFieldData.h"
 #include "gatunMeshInput.h"
 #include "gatunTypes.h"
 #include "gatunWriterOptions.h"
-#include "vtkGatunCoreModule.h"
 
 #include <functional>
 #include <memory>
@@ -31,7 +31,7 @@ namespace gatun
  * Every method may throw Error (InvalidInput, CannotWrite, Aborted), after which only the
  * destructor may be called. Not thread safe.
  */
-class VTKGATUNCORE_EXPORT FileWriter
+class GATUN_EXPORT FileWriter
 {
 public:
   /** Receives the completed fraction of the current call, 0 to 1, and returns false to abort.

@@ -4,8 +4,8 @@
 #ifndef gatunFindCells_h
 #define gatunFindCells_h
 
+#include "gatunExport.h"
 #include "gatunMeshInput.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstdint>
 #include <optional>
@@ -32,8 +32,7 @@ struct FoundCells
  * Nothing if that is not so, if there are polyhedra, or if fewer than half of the cells are left,
  * because a file with the values of the dead cells would be larger. Linear time.
  */
-VTKGATUNCORE_EXPORT std::optional<FoundCells> FindCells(
-  const MeshInput& mesh, const MeshInput& part);
+GATUN_EXPORT std::optional<FoundCells> FindCells(const MeshInput& mesh, const MeshInput& part);
 }
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "gatunMeshAccess.h"
 
-#include "vtkGatunCoreModule.h" // For export macro
+#include "gatunExport.h" // For export macro
 
 namespace gatun
 {
@@ -15,7 +15,7 @@ namespace gatun
  * exist, their positions ascend, and the lists of faces of polyhedra are complete. Also throws if
  * there are more points or cells than 32 bits can number, or a cell is larger than a chunk can be.
  */
-VTKGATUNCORE_EXPORT void CheckCells(const MeshAccess& mesh);
+GATUN_EXPORT void CheckCells(const MeshAccess& mesh);
 }
 
 #endif

@@ -4,8 +4,8 @@
 #ifndef gatunPartExchange_h
 #define gatunPartExchange_h
 
+#include "gatunExport.h" // For export macro
 #include "gatunTypes.h"
-#include "vtkGatunCoreModule.h" // For export macro
 
 #include <cstdint>
 #include <functional>
@@ -20,7 +20,7 @@ namespace gatun
  * All methods except the getters are collective: each process must call them in the same order. All
  * processes must have the same byte order and data types.
  */
-class VTKGATUNCORE_EXPORT PartExchange
+class GATUN_EXPORT PartExchange
 {
 public:
   using Message = std::vector<std::uint8_t>;

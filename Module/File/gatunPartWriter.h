@@ -4,11 +4,11 @@
 #ifndef gatunPartWriter_h
 #define gatunPartWriter_h
 
+#include "gatunExport.h"
 #include "gatunFieldData.h"
 #include "gatunMeshInput.h"
 #include "gatunTypes.h"
 #include "gatunWriterOptions.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -115,7 +115,7 @@ struct PartStatistics
  * threads. Every method may throw Error (InvalidInput, CannotWrite, Aborted), after which only the
  * destructor may be called: no temporary file remains. Not thread safe.
  */
-class VTKGATUNCORE_EXPORT PartWriter
+class GATUN_EXPORT PartWriter
 {
 public:
   /** As FileWriter::Progress, for the current call. */

@@ -4,9 +4,9 @@
 #ifndef gatunPieceDecoder_h
 #define gatunPieceDecoder_h
 
+#include "gatunExport.h"
 #include "gatunFileReader.h"
 #include "gatunPieceRequest.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstdint>
 #include <functional>
@@ -24,7 +24,7 @@ class ChunkCache;
  * further time steps, arrays and pieces with the same chunks. Not thread safe, but decoders in
  * several threads may use one cache.
  */
-class VTKGATUNCORE_EXPORT PieceDecoder
+class GATUN_EXPORT PieceDecoder
 {
 public:
   using Progress =

@@ -5,9 +5,9 @@
 
 #include "gatunCacheBudget.h"
 #include "gatunChunkCache.h"
+#include "gatunExport.h"
 #include "gatunFileReader.h"
 #include "gatunSimplifiedFile.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstdint>
 #include <map>
@@ -22,7 +22,7 @@ namespace gatun
  * meshes and the boundary, the caches of decoded parts, and one budget for all of them. The file is
  * opened once, in the constructor. Thread safe.
  */
-class VTKGATUNCORE_EXPORT SharedFile
+class GATUN_EXPORT SharedFile
 {
 public:
   /** Opens the file. Budget: memory for decoded parts and for what consumers derive from them, in

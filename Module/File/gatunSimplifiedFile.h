@@ -4,10 +4,10 @@
 #ifndef gatunSimplifiedFile_h
 #define gatunSimplifiedFile_h
 
+#include "gatunExport.h"
 #include "gatunFileReader.h"
 #include "gatunMergeDependencies.h"
 #include "gatunMergeTree.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace gatun
  * A file with a merge tree and its base meshes. Base meshes are opened, trees and dependencies
  * between merges decoded at their first use, and all are kept. Thread safe.
  */
-class VTKGATUNCORE_EXPORT SimplifiedFile
+class GATUN_EXPORT SimplifiedFile
 {
 public:
   /** The source of a simplified mesh. */

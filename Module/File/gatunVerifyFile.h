@@ -4,8 +4,8 @@
 #ifndef gatunVerifyFile_h
 #define gatunVerifyFile_h
 
+#include "gatunExport.h"
 #include "gatunFileReader.h"
-#include "vtkGatunCoreModule.h"
 
 #include <functional>
 
@@ -13,7 +13,7 @@ namespace gatun
 {
 /** Checks all checksums of a file and decodes all streams. Returns false if progress asked to stop.
  * Throws Error for the first defect. */
-VTKGATUNCORE_EXPORT bool VerifyFile(
+GATUN_EXPORT bool VerifyFile(
   const FileReader& file, const std::function<bool(double)>& progress = {});
 }
 

@@ -4,8 +4,8 @@
 #ifndef gatunAtomicFile_h
 #define gatunAtomicFile_h
 
+#include "gatunExport.h" // For export macro
 #include "gatunFileHandle.h"
-#include "vtkGatunCoreModule.h" // For export macro
 
 #include <cstdint>
 #include <span>
@@ -28,7 +28,7 @@ namespace gatun
  * Symbolic links are followed. A file that is replaced passes on its permissions; the permissions
  * of a new file follow the umask. Methods throw Error(CannotWrite). Exported for the gtn program.
  */
-class VTKGATUNCORE_EXPORT AtomicFile
+class GATUN_EXPORT AtomicFile
 {
 public:
   /** replaceReadOnly: whether to replace an existing file that this user may not write. */

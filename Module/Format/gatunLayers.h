@@ -8,7 +8,7 @@
 // chunk holds tetrahedra with values in the same layers. Algorithms that need only some values,
 // such as isosurfaces, then decode few chunks. See Documentation/layers.md.
 
-#include "vtkGatunCoreModule.h"
+#include "gatunExport.h"
 
 #include <algorithm>
 #include <cstddef>

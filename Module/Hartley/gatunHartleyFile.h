@@ -3,9 +3,9 @@
 #ifndef gatunHartleyFile_h
 #define gatunHartleyFile_h
 
+#include "gatunExport.h"
 #include "gatunHartleySource.h"
 #include "gatunHartleyVolume.h"
-#include "vtkGatunCoreModule.h"
 
 #include <functional>
 #include <memory>
@@ -32,15 +32,14 @@ struct HartleyWritten
 
 /** Writes a volume as a .ghv file. The file appears under its name when it is complete. Throws the
  * errors of HartleyVolume::Make and Error(CannotWrite). */
-VTKGATUNCORE_EXPORT HartleyWritten WriteHartleyFile(const std::string& path,
-  const VolumeInput& volume, const HartleyWriterOptions& options,
-  const std::function<bool(double)>& progress = {});
+GATUN_EXPORT HartleyWritten WriteHartleyFile(const std::string& path, const VolumeInput& volume,
+  const HartleyWriterOptions& options, const std::function<bool(double)>& progress = {});
 
 /**
  * An open .ghv file. Safe on hostile input; immutable and thread safe. Chunks are decoded on
  * request and not kept.
  */
-class VTKGATUNCORE_EXPORT HartleyFile : public HartleySource
+class GATUN_EXPORT HartleyFile : public HartleySource
 {
 public:
   /** Whether the file has the signature of a .ghv file. Never throws. */

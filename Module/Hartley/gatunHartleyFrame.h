@@ -5,16 +5,16 @@
 
 // Between world coordinates and the index coordinates of a volume.
 
+#include "gatunExport.h"
 #include "gatunHartleyInput.h"
 #include "gatunHartleyView.h"
-#include "vtkGatunCoreModule.h"
 
 #include <array>
 
 namespace gatun
 {
 /** The position of a volume in the world. */
-class VTKGATUNCORE_EXPORT VolumePlace
+class GATUN_EXPORT VolumePlace
 {
 public:
   using Vector = std::array<double, 3>;
@@ -64,7 +64,7 @@ struct HartleyEye
 };
 
 /** The ParallelScale that shows all of a volume. Aspect: width by height of the image. */
-VTKGATUNCORE_EXPORT double GetFittingScale(const VolumePlace& place, double aspect);
+GATUN_EXPORT double GetFittingScale(const VolumePlace& place, double aspect);
 
 /** The rays of an image. First and Spacing locate its pixels relative to Focus, in world units. */
 struct HartleyFrame
@@ -76,8 +76,8 @@ struct HartleyFrame
 
 /** SampleDistance: in world units. Throws Error(InvalidInput) if Direction and Up are zero, not
  * finite or collinear, or if a number is not finite. */
-VTKGATUNCORE_EXPORT HartleyFrame MakeHartleyFrame(const HartleyEye& eye,
-  const std::array<int, 2>& size, const VolumePlace& place, double sampleDistance);
+GATUN_EXPORT HartleyFrame MakeHartleyFrame(const HartleyEye& eye, const std::array<int, 2>& size,
+  const VolumePlace& place, double sampleDistance);
 }
 
 #endif

@@ -3,7 +3,7 @@
 #ifndef gatunHartleyLayout_h
 #define gatunHartleyLayout_h
 
-#include "vtkGatunCoreModule.h"
+#include "gatunExport.h"
 
 #include <array>
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace gatun
  * along x, then y, then z. The last blocks along an axis may extend beyond the volume. Their values
  * are 0 there, which corresponds to the base value of the volume; see HartleySource.
  */
-struct VTKGATUNCORE_EXPORT HartleyLayout
+struct GATUN_EXPORT HartleyLayout
 {
   using Triple = std::array<std::uint32_t, 3>;
 

@@ -3,11 +3,11 @@
 #ifndef gatunHartleyProjector_h
 #define gatunHartleyProjector_h
 
+#include "gatunExport.h"
 #include "gatunHartleyImage.h"
 #include "gatunHartleyShading.h"
 #include "gatunHartleySource.h"
 #include "gatunHartleyView.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstdint>
 #include <functional>
@@ -54,7 +54,7 @@ struct HartleyOptions
  *
  * An object keeps intermediate results for the next image. It draws one image at a time.
  */
-class VTKGATUNCORE_EXPORT HartleyProjector
+class GATUN_EXPORT HartleyProjector
 {
 public:
   explicit HartleyProjector(

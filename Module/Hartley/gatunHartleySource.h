@@ -3,9 +3,9 @@
 #ifndef gatunHartleySource_h
 #define gatunHartleySource_h
 
+#include "gatunExport.h"
 #include "gatunHartleyLayout.h"
 #include "gatunTypes.h"
-#include "vtkGatunCoreModule.h"
 
 #include <memory>
 #include <span>
@@ -39,7 +39,7 @@ struct HartleyChunk
  * A volume as Hartley coefficients, in memory or in a file. They are the transform of the voxels
  * minus a base value, the smallest voxel, so that the volume is zero at its borders.
  */
-class VTKGATUNCORE_EXPORT HartleySource
+class GATUN_EXPORT HartleySource
 {
 public:
   virtual ~HartleySource() = default;

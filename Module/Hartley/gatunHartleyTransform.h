@@ -3,8 +3,8 @@
 #ifndef gatunHartleyTransform_h
 #define gatunHartleyTransform_h
 
+#include "gatunExport.h"
 #include "gatunHartleyLayout.h"
-#include "vtkGatunCoreModule.h"
 
 #include <memory>
 #include <span>
@@ -26,7 +26,7 @@ namespace gatun
  *
  * An object has working memory of its own. Each thread needs one.
  */
-class VTKGATUNCORE_EXPORT HartleyTransform
+class GATUN_EXPORT HartleyTransform
 {
 public:
   explicit HartleyTransform(const HartleyLayout::Triple& size);

@@ -3,7 +3,7 @@
 #ifndef gatunHartleyView_h
 #define gatunHartleyView_h
 
-#include "vtkGatunCoreModule.h"
+#include "gatunExport.h"
 
 #include <array>
 

@@ -3,9 +3,9 @@
 #ifndef gatunHartleyVolume_h
 #define gatunHartleyVolume_h
 
+#include "gatunExport.h"
 #include "gatunHartleyInput.h"
 #include "gatunHartleySource.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstdint>
 #include <functional>
@@ -14,7 +14,7 @@
 namespace gatun
 {
 /** The quantized coefficients of a volume, in memory. */
-class VTKGATUNCORE_EXPORT HartleyVolume : public HartleySource
+class GATUN_EXPORT HartleyVolume : public HartleySource
 {
 public:
   /** Transforms and quantizes a volume. Parallel. Throws Error(InvalidInput) for empty volumes,

@@ -4,9 +4,9 @@
 #define gatunVolumeSurvey_h
 
 #include "gatunDefaultOpacity.h"
+#include "gatunExport.h"
 #include "gatunHartleyInput.h"
 #include "gatunTypes.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstdint>
 #include <optional>
@@ -23,11 +23,11 @@ constexpr std::uint64_t MostSurveyedVoxels = std::uint64_t{ 1 } << 23;
  * cubes from all parts of the volume are taken, of a file whole chunks. Range: as for SurveyValues.
  * The box is that of the volume along its own axes. Voxels that are not finite are left out.
  */
-VTKGATUNCORE_EXPORT ValueSurvey SurveyVolume(
+GATUN_EXPORT ValueSurvey SurveyVolume(
   const VolumeInput& volume, const std::optional<Range>& range = {});
 
 /** The same for the decoded voxels of a file. Throws if the file is damaged. */
-VTKGATUNCORE_EXPORT ValueSurvey SurveyVolume(
+GATUN_EXPORT ValueSurvey SurveyVolume(
   const HartleyFile& file, const std::optional<Range>& range = {});
 }
 

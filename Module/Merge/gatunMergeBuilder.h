@@ -3,9 +3,9 @@
 #ifndef gatunMergeBuilder_h
 #define gatunMergeBuilder_h
 
+#include "gatunExport.h"
 #include "gatunMergeInput.h"
 #include "gatunMergeTree.h"
-#include "vtkGatunCoreModule.h"
 
 #include <functional>
 
@@ -32,8 +32,8 @@ namespace gatun
  * Graphics International 1999. The quadratic error of the fields is in the spirit of: Garland,
  * Zhou: Quadric-based simplification in any dimension. ACM Transactions on Graphics 24(2), 2005.
  */
-VTKGATUNCORE_EXPORT MergeTree BuildMergeTree(const MergeInput& input,
-  const MergeSettings& settings = {}, const std::function<bool(double)>& progress = {});
+GATUN_EXPORT MergeTree BuildMergeTree(const MergeInput& input, const MergeSettings& settings = {},
+  const std::function<bool(double)>& progress = {});
 }
 
 #endif

@@ -3,8 +3,8 @@
 #ifndef gatunMergeChanges_h
 #define gatunMergeChanges_h
 
+#include "gatunExport.h"
 #include "gatunMergeTree.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace gatun
 {
 /** Finds the points whose ancestors differ between two numbers of merges. Immutable and thread
  * safe. Memory: four bytes for each point and each merge. */
-class VTKGATUNCORE_EXPORT MergeChanges
+class GATUN_EXPORT MergeChanges
 {
 public:
   explicit MergeChanges(std::shared_ptr<const MergeTree> tree);

@@ -4,9 +4,9 @@
 #ifndef gatunMergeCut_h
 #define gatunMergeCut_h
 
+#include "gatunExport.h"
 #include "gatunMergeDependencies.h"
 #include "gatunMergeTree.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +21,7 @@ namespace gatun
  * Uniform cuts have the first merges of the tree. Others have merges where the mesh may be coarse.
  * Immutable. Memory: 4 bytes a point, and a bit a merge.
  */
-class VTKGATUNCORE_EXPORT MergeCut
+class GATUN_EXPORT MergeCut
 {
 public:
   /** The first merges of a tree; all of them if there are fewer. */
@@ -64,7 +64,7 @@ private:
 
 /** The points whose ancestors differ between two cuts of one tree, ascending. Throws InvalidInput
  * if the numbers of points differ. */
-VTKGATUNCORE_EXPORT std::vector<std::uint32_t> FindChanges(const MergeCut& a, const MergeCut& b);
+GATUN_EXPORT std::vector<std::uint32_t> FindChanges(const MergeCut& a, const MergeCut& b);
 }
 
 #endif

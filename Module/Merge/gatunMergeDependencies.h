@@ -4,8 +4,8 @@
 #ifndef gatunMergeDependencies_h
 #define gatunMergeDependencies_h
 
+#include "gatunExport.h"
 #include "gatunMergeTree.h"
-#include "vtkGatunCoreModule.h"
 
 #include <array>
 #include <cstddef>
@@ -32,7 +32,7 @@ namespace gatun
  *
  * Immutable. Memory: about 22 bytes a merge.
  */
-class VTKGATUNCORE_EXPORT MergeDependencies
+class GATUN_EXPORT MergeDependencies
 {
 public:
   MergeDependencies() = default;

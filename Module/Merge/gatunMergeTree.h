@@ -3,7 +3,7 @@
 #ifndef gatunMergeTree_h
 #define gatunMergeTree_h
 
-#include "vtkGatunCoreModule.h"
+#include "gatunExport.h"
 
 #include <array>
 #include <cstddef>
@@ -30,7 +30,7 @@ struct Merge
  * simplification and rendering for irregular volume data. Technical report, ECSL, Computer Science
  * Department, SUNY at Stony Brook, March 2001.
  */
-class VTKGATUNCORE_EXPORT MergeTree
+class GATUN_EXPORT MergeTree
 {
 public:
   using Tet = std::array<std::uint32_t, 4>;

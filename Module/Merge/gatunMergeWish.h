@@ -4,8 +4,8 @@
 #ifndef gatunMergeWish_h
 #define gatunMergeWish_h
 
+#include "gatunExport.h"
 #include "gatunMergeTree.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstddef>
 #include <span>
@@ -21,12 +21,12 @@ namespace gatun
  * weights: for each point, 0 or more. tolerance: a negative one or one that is not a number counts
  * as 0. Throws InvalidInput if there is not a weight for each point.
  */
-VTKGATUNCORE_EXPORT std::vector<bool> WantMerges(
+GATUN_EXPORT std::vector<bool> WantMerges(
   const MergeTree& tree, std::span<const float> weights, double tolerance);
 
 /** Returns the smallest tolerance at which at least so many merges are wanted; all if there are not
  * so many. */
-VTKGATUNCORE_EXPORT double FindTolerance(
+GATUN_EXPORT double FindTolerance(
   const MergeTree& tree, std::span<const float> weights, std::size_t merges);
 }
 

@@ -3,9 +3,9 @@
 #ifndef gatunSurfaceMergeBuilder_h
 #define gatunSurfaceMergeBuilder_h
 
+#include "gatunExport.h"
 #include "gatunMergeInput.h"
 #include "gatunMergeTree.h"
-#include "vtkGatunCoreModule.h"
 
 #include <functional>
 
@@ -34,7 +34,7 @@ namespace gatun
  *
  * Based on: see SurfaceQuadrics.
  */
-VTKGATUNCORE_EXPORT MergeTree BuildMergeTree(const SurfaceMergeInput& input,
+GATUN_EXPORT MergeTree BuildMergeTree(const SurfaceMergeInput& input,
   const SurfaceMergeSettings& settings = {}, const std::function<bool(double)>& progress = {});
 }
 

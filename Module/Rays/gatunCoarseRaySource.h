@@ -3,11 +3,11 @@
 #ifndef gatunCoarseRaySource_h
 #define gatunCoarseRaySource_h
 
+#include "gatunExport.h"
 #include "gatunMergeCut.h"
 #include "gatunMergeTree.h"
 #include "gatunRaySource.h"
 #include "gatunRayValues.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -39,7 +39,7 @@ struct CoarseMask
  * kept until they are requested, up to 32 MiB and a quarter of the budget. Blocks are kept within
  * the budget.
  */
-class VTKGATUNCORE_EXPORT CoarseRaySource final : public RaySource
+class GATUN_EXPORT CoarseRaySource final : public RaySource
 {
 public:
   /** The memory of a source without its blocks, about, for each point of the file. */

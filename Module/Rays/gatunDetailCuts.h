@@ -4,11 +4,11 @@
 #define gatunDetailCuts_h
 
 #include "gatunDetailView.h"
+#include "gatunExport.h"
 #include "gatunMergeCut.h"
 #include "gatunMergeDependencies.h"
 #include "gatunMergeTree.h"
 #include "gatunRayBlock.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstdint>
 #include <memory>
@@ -25,7 +25,7 @@ namespace gatun
  *
  * The result depends on the view only, not on those before. Immutable.
  */
-class VTKGATUNCORE_EXPORT DetailCuts
+class GATUN_EXPORT DetailCuts
 {
 public:
   /** Where merges take place. */

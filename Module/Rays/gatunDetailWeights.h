@@ -4,9 +4,9 @@
 #ifndef gatunDetailWeights_h
 #define gatunDetailWeights_h
 
+#include "gatunExport.h"
 #include "gatunRayView.h"
 #include "gatunTypes.h"
-#include "vtkGatunCoreModule.h"
 
 #include <array>
 #include <vector>
@@ -16,7 +16,7 @@ namespace gatun
 /** The length of the diagonal of a box, in which axes without extent do not count; 0 if it is
  * empty.
  */
-VTKGATUNCORE_EXPORT double GetDiagonal(const Bounds& box);
+GATUN_EXPORT double GetDiagonal(const Bounds& box);
 
 /**
  * How much the error of a merge counts at a place, for a view: the length of an object in pixels,
@@ -26,7 +26,7 @@ VTKGATUNCORE_EXPORT double GetDiagonal(const Bounds& box);
  * Distances are those from the plane of the eye. Places nearer than the near clipping plane, or a
  * thousandth of the size of the object, count as if they were there.
  */
-class VTKGATUNCORE_EXPORT DetailWeights
+class GATUN_EXPORT DetailWeights
 {
 public:
   /** Size: a length of the object, such as the diagonal of its bounds; in world units, above 0. */

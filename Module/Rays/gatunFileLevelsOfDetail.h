@@ -3,11 +3,11 @@
 #ifndef gatunFileLevelsOfDetail_h
 #define gatunFileLevelsOfDetail_h
 
+#include "gatunExport.h"
 #include "gatunLevelsOfDetail.h"
 #include "gatunRayValues.h"
 #include "gatunSharedFile.h"
 #include "gatunSimplifiedFile.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstdint>
 #include <memory>
@@ -24,7 +24,7 @@ class RayChunks;
  * the file that has enough points, or from the whole mesh. One for a view comes from several of
  * them (see FileCuts).
  */
-class VTKGATUNCORE_EXPORT FileLevelsOfDetail final : public LevelsOfDetail
+class GATUN_EXPORT FileLevelsOfDetail final : public LevelsOfDetail
 {
 public:
   /** Throws InvalidInput if the file has no merge tree, or no such array or step. */

@@ -3,9 +3,9 @@
 #ifndef gatunFileRaySource_h
 #define gatunFileRaySource_h
 
+#include "gatunExport.h"
 #include "gatunRaySource.h"
 #include "gatunRayValues.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +18,7 @@ class ChunkCache;
 class FileReader;
 
 /** The chunks of a file as blocks. Decoded blocks are kept within a budget. */
-class VTKGATUNCORE_EXPORT FileRaySource final : public RaySource
+class GATUN_EXPORT FileRaySource final : public RaySource
 {
 public:
   /** Budget: in bytes. Throws InvalidInput if the file has no such array or step. */

@@ -3,7 +3,7 @@
 #ifndef gatunFrameBudget_h
 #define gatunFrameBudget_h
 
-#include "vtkGatunCoreModule.h"
+#include "gatunExport.h"
 
 #include <array>
 #include <cstddef>
@@ -59,7 +59,7 @@ struct FrameLimits
  * ray; both were measured in mode Composite. Each cost is the median of the last three frames, so
  * that one disturbed frame has no effect.
  */
-class VTKGATUNCORE_EXPORT FrameBudget
+class GATUN_EXPORT FrameBudget
 {
 public:
   void Learn(const FrameWork& work, const FrameTime& time);

@@ -3,9 +3,9 @@
 #ifndef gatunLevelOfDetailCache_h
 #define gatunLevelOfDetailCache_h
 
+#include "gatunExport.h"
 #include "gatunLevelsOfDetail.h"
 #include "gatunRaySource.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstdint>
 #include <functional>
@@ -23,7 +23,7 @@ namespace gatun
  * it rests as long as it works. It stops within the time of a block when other levels are requested
  * and when this object is destroyed. All methods must be called from one thread.
  */
-class VTKGATUNCORE_EXPORT LevelOfDetailCache
+class GATUN_EXPORT LevelOfDetailCache
 {
 public:
   using Progress = RaySource::Progress;

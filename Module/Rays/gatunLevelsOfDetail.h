@@ -4,8 +4,8 @@
 #define gatunLevelsOfDetail_h
 
 #include "gatunDetailView.h"
+#include "gatunExport.h"
 #include "gatunRaySource.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstdint>
 #include <memory>
@@ -26,7 +26,7 @@ struct DetailLevel
  * Only one thread at a time may call MakeSource; other threads may call the other methods
  * meanwhile.
  */
-class VTKGATUNCORE_EXPORT LevelsOfDetail
+class GATUN_EXPORT LevelsOfDetail
 {
 public:
   virtual ~LevelsOfDetail() = default;

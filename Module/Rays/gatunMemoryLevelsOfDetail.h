@@ -3,12 +3,12 @@
 #ifndef gatunMemoryLevelsOfDetail_h
 #define gatunMemoryLevelsOfDetail_h
 
+#include "gatunExport.h"
 #include "gatunLevelsOfDetail.h"
 #include "gatunMergeTree.h"
 #include "gatunMeshInput.h"
 #include "gatunRaySource.h"
 #include "gatunRayValues.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstdint>
 #include <memory>
@@ -20,7 +20,7 @@ namespace gatun
  * original has changed. Memory: 16 bytes for each tetrahedron, 32 bytes for each point, and 8 bytes
  * for each tetrahedron if values of tetrahedra are drawn.
  */
-class VTKGATUNCORE_EXPORT MemoryRayMesh
+class GATUN_EXPORT MemoryRayMesh
 {
 public:
   using Progress = RaySource::Progress;
@@ -47,7 +47,7 @@ private:
 };
 
 /** Returns the whole mesh in the blocks of MemoryRaySource. Images are the same to the last bit. */
-VTKGATUNCORE_EXPORT std::shared_ptr<RaySource> MakeWholeSource(
+GATUN_EXPORT std::shared_ptr<RaySource> MakeWholeSource(
   std::shared_ptr<const MemoryRayMesh> mesh, std::uint64_t budget);
 
 /**
@@ -59,7 +59,7 @@ VTKGATUNCORE_EXPORT std::shared_ptr<RaySource> MakeWholeSource(
  * these that is fine enough where the view needs most, with dependencies between its merges, which
  * are found at its first use and take some 40 bytes a point.
  */
-class VTKGATUNCORE_EXPORT MemoryLevelsOfDetail final : public LevelsOfDetail
+class GATUN_EXPORT MemoryLevelsOfDetail final : public LevelsOfDetail
 {
 public:
   /** Throws InvalidInput if the tree has another number of points. */

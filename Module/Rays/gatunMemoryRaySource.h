@@ -3,10 +3,10 @@
 #ifndef gatunMemoryRaySource_h
 #define gatunMemoryRaySource_h
 
+#include "gatunExport.h"
 #include "gatunMeshInput.h"
 #include "gatunRaySource.h"
 #include "gatunRayValues.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +21,7 @@ class BlockMesh;
  * A mesh in the caller's memory, in blocks of tetrahedra that are near each other. The mesh must
  * not change or move. Blocks are kept within a budget.
  */
-class VTKGATUNCORE_EXPORT MemoryRaySource final : public RaySource
+class GATUN_EXPORT MemoryRaySource final : public RaySource
 {
 public:
   static constexpr std::uint32_t DefaultBlockTets = 32768;

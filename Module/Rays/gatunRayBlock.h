@@ -3,8 +3,8 @@
 #ifndef gatunRayBlock_h
 #define gatunRayBlock_h
 
+#include "gatunExport.h"
 #include "gatunTypes.h"
-#include "vtkGatunCoreModule.h"
 
 #include <array>
 #include <cstddef>
@@ -20,7 +20,7 @@ struct alignas(32) RayPoint
 };
 
 /** Tetrahedra that are drawn together; some ten thousand are best for speed. */
-struct VTKGATUNCORE_EXPORT RayBlock
+struct GATUN_EXPORT RayBlock
 {
   using Tet = std::array<std::uint32_t, 4>;
   static constexpr std::uint32_t NoNeighbor = 0xffffffffu;

@@ -4,8 +4,8 @@
 #define gatunRayBlockCache_h
 
 #include "gatunCacheBudget.h"
+#include "gatunExport.h"
 #include "gatunRayBlock.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace gatun
 {
 /** Keeps blocks within a budget. Blocks that have not been used for the longest time are removed
  * first. Thread safe. */
-class VTKGATUNCORE_EXPORT RayBlockCache
+class GATUN_EXPORT RayBlockCache
 {
 public:
   /** Budget: in bytes. */

@@ -3,13 +3,13 @@
 #ifndef gatunRayCaster_h
 #define gatunRayCaster_h
 
+#include "gatunExport.h"
 #include "gatunRayBlock.h"
 #include "gatunRayInstructions.h"
 #include "gatunRayShading.h"
 #include "gatunRaySource.h"
 #include "gatunRayTable.h"
 #include "gatunRayView.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -77,7 +77,7 @@ struct RayStatistics
  * Based on: Yang, Mitra, Chiueh: On-the-fly rendering of losslessly compressed irregular volume
  * data. IEEE Visualization 2000.
  */
-class VTKGATUNCORE_EXPORT RayCaster
+class GATUN_EXPORT RayCaster
 {
 public:
   using Progress = RaySource::Progress;

@@ -3,9 +3,9 @@
 #ifndef gatunRayMerger_h
 #define gatunRayMerger_h
 
+#include "gatunExport.h"
 #include "gatunRayTable.h"
 #include "gatunRayView.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace gatun
  *
  * Memory: that of the messages.
  */
-class VTKGATUNCORE_EXPORT RayMerger
+class GATUN_EXPORT RayMerger
 {
 public:
   /** The arguments must exist as long as this object. */

@@ -3,9 +3,9 @@
 #ifndef gatunRayRefresh_h
 #define gatunRayRefresh_h
 
+#include "gatunExport.h"
 #include "gatunRayCaster.h"
 #include "gatunRaySource.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstdint>
 #include <functional>
@@ -18,7 +18,7 @@ namespace gatun
  * Updates an image when another mesh is drawn, such as another level of detail: only tiles that
  * change are drawn again. The image is the same to the last bit as if all tiles were drawn.
  */
-class VTKGATUNCORE_EXPORT RayRefresh
+class GATUN_EXPORT RayRefresh
 {
 public:
   /** Each call makes a caster with the same view, table, limits and settings; Repeatable. */

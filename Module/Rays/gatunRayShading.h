@@ -3,8 +3,8 @@
 #ifndef gatunRayShading_h
 #define gatunRayShading_h
 
+#include "gatunExport.h"
 #include "gatunRayBlock.h"
-#include "vtkGatunCoreModule.h"
 
 #include <array>
 #include <cstddef>
@@ -54,8 +54,7 @@ struct alignas(32) RayShade
 };
 
 /** Returns the effect of light on a tetrahedron of a block. */
-VTKGATUNCORE_EXPORT RayShade GetShade(
-  const RayShading& shading, const RayBlock& block, std::size_t tet);
+GATUN_EXPORT RayShade GetShade(const RayShading& shading, const RayBlock& block, std::size_t tet);
 }
 
 #endif

@@ -3,8 +3,8 @@
 #ifndef gatunRayShare_h
 #define gatunRayShare_h
 
+#include "gatunExport.h"
 #include "gatunRaySource.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstddef>
 #include <memory>
@@ -17,7 +17,7 @@ namespace gatun
  * of the blocks that are visible as the others, whatever the view; and it has the same ones in all
  * views, so that they are found in its cache.
  */
-class VTKGATUNCORE_EXPORT RayShare final : public RaySource
+class GATUN_EXPORT RayShare final : public RaySource
 {
 public:
   RayShare(std::shared_ptr<RaySource> all, std::size_t process, std::size_t processes);

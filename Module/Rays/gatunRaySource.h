@@ -3,9 +3,9 @@
 #ifndef gatunRaySource_h
 #define gatunRaySource_h
 
+#include "gatunExport.h"
 #include "gatunRayBlock.h"
 #include "gatunTypes.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstddef>
 #include <functional>
@@ -16,7 +16,7 @@
 namespace gatun
 {
 /** A mesh in blocks, which are made when they are requested. Not thread safe. */
-class VTKGATUNCORE_EXPORT RaySource
+class GATUN_EXPORT RaySource
 {
 public:
   /** Called with the fraction done; returns false to stop, and Error(Aborted) is thrown. */

@@ -3,9 +3,9 @@
 #ifndef gatunRayTable_h
 #define gatunRayTable_h
 
+#include "gatunExport.h"
 #include "gatunRayPieces.h"
 #include "gatunTypes.h"
-#include "vtkGatunCoreModule.h"
 
 #include <array>
 #include <cstddef>
@@ -33,7 +33,7 @@ using RayColor = std::function<std::array<double, 4>(double value)>;
  * entries of the table, premultiplied colors and opacities are linear. Integrals along rays use
  * few pieces instead, on which they are parabolas. The unit of length is the sample distance.
  */
-struct VTKGATUNCORE_EXPORT RayTable
+struct GATUN_EXPORT RayTable
 {
   /** A cell: its entry at the lower end, and the difference to that at the upper end.
    * Sampled: (r a, g a, b a, -a), a the opacity of a sample; Maximum: the same with a that of a

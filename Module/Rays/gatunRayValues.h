@@ -3,8 +3,8 @@
 #ifndef gatunRayValues_h
 #define gatunRayValues_h
 
+#include "gatunExport.h"
 #include "gatunTypes.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -37,7 +37,7 @@ void CheckRayValues(const FileReader& file, const RayValues& values);
 /** Returns the range of the values that are drawn, from the ranges that a file stores for an array;
  * component as in RayValues. For arrays with one component files store no range of the tuple's
  * length: the result then contains it. */
-VTKGATUNCORE_EXPORT Range GetDrawnRange(const ArrayRanges& ranges, int component);
+GATUN_EXPORT Range GetDrawnRange(const ArrayRanges& ranges, int component);
 }
 
 #endif

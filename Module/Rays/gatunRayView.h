@@ -3,8 +3,8 @@
 #ifndef gatunRayView_h
 #define gatunRayView_h
 
+#include "gatunExport.h"
 #include "gatunTypes.h"
-#include "vtkGatunCoreModule.h"
 
 #include <array>
 #include <vector>
@@ -35,7 +35,7 @@ struct RayFrustum
  * times Z. Both are affine in world coordinates: planes stay planes, and z grows away from the eye.
  * The ray of pixel (i, j) has x = i and y = j, or x / Z = i and y / Z = j in perspective.
  */
-struct VTKGATUNCORE_EXPORT RayView
+struct GATUN_EXPORT RayView
 {
   /** Offset of a ray from the center of its pixel, to the right and upwards, in pixels. */
   static constexpr double OffsetX = 2.7e-4;
@@ -90,7 +90,7 @@ struct RayLimits
 
 /** Removes the negative side of a plane a x + b y + c z + d = 0 in world coordinates from limits.
  */
-VTKGATUNCORE_EXPORT void ClipByPlane(
+GATUN_EXPORT void ClipByPlane(
   const RayView& view, const std::array<double, 4>& plane, RayLimits& limits);
 }
 

@@ -3,11 +3,11 @@
 #ifndef gatunSurfaceDetail_h
 #define gatunSurfaceDetail_h
 
+#include "gatunExport.h"
 #include "gatunMergeCut.h"
 #include "gatunMergeDependencies.h"
 #include "gatunMergeTree.h"
 #include "gatunRayView.h"
-#include "vtkGatunCoreModule.h"
 
 #include <array>
 #include <cstddef>
@@ -48,7 +48,7 @@ struct SurfaceDetailView
  * The result depends on the view only, not on those before. Immutable and thread safe. Memory: 24
  * bytes a point, in addition to the tree and the dependencies.
  */
-class VTKGATUNCORE_EXPORT SurfaceDetail
+class GATUN_EXPORT SurfaceDetail
 {
 public:
   using Point = std::array<double, 3>;

@@ -4,9 +4,9 @@
 #define gatunValueSurvey_h
 
 #include "gatunDefaultOpacity.h"
+#include "gatunExport.h"
 #include "gatunRaySource.h"
 #include "gatunTypes.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstdint>
 #include <optional>
@@ -26,9 +26,8 @@ constexpr std::uint64_t MostSurveyedTets = std::uint64_t{ 1 } << 21;
  * is narrowed as by MakeValueHistogram. Tetrahedra with a value or coordinate that is not finite
  * are left out. Throws what the source throws.
  */
-VTKGATUNCORE_EXPORT ValueSurvey SurveyValues(RaySource& source,
-  const std::optional<Range>& range = {}, const RaySource::Progress& progress = {},
-  std::uint64_t mostTets = MostSurveyedTets);
+GATUN_EXPORT ValueSurvey SurveyValues(RaySource& source, const std::optional<Range>& range = {},
+  const RaySource::Progress& progress = {}, std::uint64_t mostTets = MostSurveyedTets);
 }
 
 #endif

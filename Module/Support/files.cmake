@@ -2,6 +2,7 @@
 gatun_core_folder(Support
   HEADERS
     gatunError.h
+    gatunExport.h
     gatunTypes.h
     gatunVersion.h
   EXPERIMENTAL_HEADERS

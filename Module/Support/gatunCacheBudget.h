@@ -3,7 +3,7 @@
 #ifndef gatunCacheBudget_h
 #define gatunCacheBudget_h
 
-#include "vtkGatunCoreModule.h"
+#include "gatunExport.h"
 
 #include <cstdint>
 #include <memory>
@@ -26,7 +26,7 @@ struct CacheStatistics
  *
  * A cache keeps its budget alive. Thread safe.
  */
-class VTKGATUNCORE_EXPORT CacheBudget
+class GATUN_EXPORT CacheBudget
 {
 public:
   /** With 0 bytes the caches keep nothing. */

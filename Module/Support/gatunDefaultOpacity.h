@@ -3,9 +3,9 @@
 #ifndef gatunDefaultOpacity_h
 #define gatunDefaultOpacity_h
 
+#include "gatunExport.h"
 #include "gatunTypes.h"
 #include "gatunValueHistogram.h"
-#include "vtkGatunCoreModule.h"
 
 #include <array>
 #include <optional>
@@ -31,7 +31,7 @@ struct DefaultColor
 
 /** The default color map: lightness increases evenly, from violet over blue and green to yellow,
  * for all kinds of color vision. To be interpolated in CIE L*a*b*. */
-VTKGATUNCORE_EXPORT std::span<const DefaultColor> GetDefaultColors();
+GATUN_EXPORT std::span<const DefaultColor> GetDefaultColors();
 
 struct OpacityNode
 {
@@ -72,7 +72,7 @@ struct DefaultTransfer
  * Background: C. Correa, K.-L. Ma:
  * Visibility histograms and visibility-driven transfer functions, IEEE TVCG 17(2), 2011.
  */
-VTKGATUNCORE_EXPORT DefaultTransfer MakeDefaultTransfer(
+GATUN_EXPORT DefaultTransfer MakeDefaultTransfer(
   const ValueSurvey& survey, double unitDistance, const std::optional<Range>& range = {});
 }
 

@@ -4,7 +4,7 @@
 #ifndef gatunError_h
 #define gatunError_h
 
-#include "vtkGatunCoreModule.h" // For export macro
+#include "gatunExport.h" // For export macro
 
 #include <cstdint>
 #include <optional>
@@ -52,10 +52,10 @@ class Error : public std::runtime_error
 {
 public:
   /** An error that does not concern a particular file. */
-  VTKGATUNCORE_EXPORT Error(ErrorCode code, const std::string& message);
+  GATUN_EXPORT Error(ErrorCode code, const std::string& message);
 
   /** Composes the message from its parts. */
-  VTKGATUNCORE_EXPORT Error(ErrorCode code, const ErrorDetails& details);
+  GATUN_EXPORT Error(ErrorCode code, const ErrorDetails& details);
 
   ErrorCode Code;
 
@@ -72,10 +72,10 @@ public:
 
 /** Throws Error(Corrupt) for content that no well-formed file has. Hot loops keep it out of line.
  */
-[[noreturn]] VTKGATUNCORE_EXPORT void ThrowCorrupt(const std::string& message);
+[[noreturn]] GATUN_EXPORT void ThrowCorrupt(const std::string& message);
 
 /** Throws Error(InvalidInput) for input that cannot be used. path: the file concerned, if any. */
-[[noreturn]] VTKGATUNCORE_EXPORT void ThrowInvalid(
+[[noreturn]] GATUN_EXPORT void ThrowInvalid(
   const std::string& message, const std::string& path = {});
 }
 

@@ -5,8 +5,8 @@
 
 // Cameras from which an object just fits into the image.
 
+#include "gatunExport.h"
 #include "gatunTypes.h"
-#include "vtkGatunCoreModule.h"
 
 #include <array>
 #include <cstddef>
@@ -20,7 +20,7 @@ namespace gatun
  * Points in blocks, of which extremes are looked for. Only blocks whose boxes reach far enough are
  * visited.
  */
-class VTKGATUNCORE_EXPORT PointBlocks
+class GATUN_EXPORT PointBlocks
 {
 public:
   using Point = std::array<double, 3>;
@@ -80,11 +80,11 @@ constexpr double FramingFill = 0.94;
 
 /** The place from which the points just fit into the image, with a small margin and in its middle.
  * A lone point, or none, is seen from some distance. */
-VTKGATUNCORE_EXPORT Framing FrameObject(const PointBlocks& points, const FramingView& view);
+GATUN_EXPORT Framing FrameObject(const PointBlocks& points, const FramingView& view);
 
 /** The same with a given point in the middle, for several views, all of which show everything. */
-VTKGATUNCORE_EXPORT Framing FrameAround(const PointBlocks& points,
-  const std::array<double, 3>& middle, std::span<const FramingView> views);
+GATUN_EXPORT Framing FrameAround(const PointBlocks& points, const std::array<double, 3>& middle,
+  std::span<const FramingView> views);
 }
 
 #endif

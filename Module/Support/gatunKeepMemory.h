@@ -4,7 +4,7 @@
 #ifndef gatunKeepMemory_h
 #define gatunKeepMemory_h
 
-#include "vtkGatunCoreModule.h" // For export macro
+#include "gatunExport.h" // For export macro
 
 namespace gatun
 {
@@ -17,7 +17,7 @@ void KeepFreedMemory();
 
 /** Gives freed memory back to the system, after work that takes much more of it than what follows.
  * Exported for the gtn program. */
-VTKGATUNCORE_EXPORT void ReturnFreedMemory();
+GATUN_EXPORT void ReturnFreedMemory();
 }
 
 #endif

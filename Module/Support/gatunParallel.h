@@ -7,7 +7,7 @@
 // The only interface between the core and VTK's threads. Other code does not include vtkSMPTools.h,
 // because that of VTK 9.1 is not valid C++20.
 
-#include "vtkGatunCoreModule.h" // For export macro
+#include "gatunExport.h" // For export macro
 
 #include <cstddef>
 #include <functional>
@@ -25,20 +25,20 @@ namespace gatun
  * Error(Aborted) thrown.
  * A ParallelFor within a body runs on the thread of that body.
  */
-VTKGATUNCORE_EXPORT void ParallelFor(std::size_t count,
-  const std::function<void(std::size_t)>& body, const std::function<bool(double)>& progress = {});
+GATUN_EXPORT void ParallelFor(std::size_t count, const std::function<void(std::size_t)>& body,
+  const std::function<bool(double)>& progress = {});
 
 /** The maximum number of bodies that ParallelFor runs at the same time. */
-VTKGATUNCORE_EXPORT int GetNumberOfThreads();
+GATUN_EXPORT int GetNumberOfThreads();
 
 /** Sets the number of threads of vtkSMPTools for the whole process; 0 for the default. */
-VTKGATUNCORE_EXPORT void SetNumberOfThreads(int count);
+GATUN_EXPORT void SetNumberOfThreads(int count);
 
 /** Calls work while vtkSMPTools has a given number of threads. */
-VTKGATUNCORE_EXPORT void WithNumberOfThreads(int count, const std::function<void()>& work);
+GATUN_EXPORT void WithNumberOfThreads(int count, const std::function<void()>& work);
 
 /** The name of the backend of vtkSMPTools. */
-VTKGATUNCORE_EXPORT std::string GetThreadBackend();
+GATUN_EXPORT std::string GetThreadBackend();
 }
 
 #endif

@@ -3,8 +3,8 @@
 #ifndef gatunValueHistogram_h
 #define gatunValueHistogram_h
 
+#include "gatunExport.h"
 #include "gatunTypes.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace gatun
  * How much of an object has which values, in equal bins of a scale. Weights are integers, so that
  * the result does not depend on the order of the additions.
  */
-class VTKGATUNCORE_EXPORT ValueHistogram
+class GATUN_EXPORT ValueHistogram
 {
 public:
   static constexpr std::size_t Bins = 4096;
@@ -80,7 +80,7 @@ private:
 /** Makes a histogram that resolves the values of nearly the whole object. Range: of all values, of
  * which those that are not finite do not count. Fill adds the object to a histogram; it is called
  * again, at most three times, if a few values are far from all others. */
-VTKGATUNCORE_EXPORT ValueHistogram MakeValueHistogram(
+GATUN_EXPORT ValueHistogram MakeValueHistogram(
   const Range& range, const std::function<void(ValueHistogram&)>& fill);
 }
 

@@ -13,7 +13,7 @@
 #ifndef gatunVersion_h
 #define gatunVersion_h
 
-#include "vtkGatunCoreModule.h"
+#include "gatunExport.h"
 
 #define GATUN_VERSION_MAJOR 0
 #define GATUN_VERSION_MINOR 1
@@ -31,10 +31,10 @@ namespace gatun
 
 /// The version of the loaded library, such as "0.1.0". It may differ from the macros, which belong
 /// to the headers. Never null, valid until the program ends. Thread safe.
-VTKGATUNCORE_EXPORT const char* PackageVersion() noexcept;
+GATUN_EXPORT const char* PackageVersion() noexcept;
 
 /// The version of the format that the loaded library writes, such as "1.0". As above.
-VTKGATUNCORE_EXPORT const char* FormatVersion() noexcept;
+GATUN_EXPORT const char* FormatVersion() noexcept;
 
 } // namespace gatun
 

@@ -4,11 +4,11 @@
 #define gatunFileSurface_h
 
 #include "gatunChunkCache.h"
+#include "gatunExport.h"
 #include "gatunFileReader.h"
 #include "gatunIntervalTree.h"
 #include "gatunMergeTree.h"
 #include "gatunSurface.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -54,7 +54,7 @@ struct FileSurfaceStatistics
  * chunks need; with merges, the simplified chunks of about two million tetrahedra. Not thread safe;
  * uses all threads of vtkSMPTools.
  */
-class VTKGATUNCORE_EXPORT FileSurface
+class GATUN_EXPORT FileSurface
 {
 public:
   using Progress = std::function<bool(double)>;

@@ -3,8 +3,8 @@
 #ifndef gatunIntervalTree_h
 #define gatunIntervalTree_h
 
+#include "gatunExport.h"
 #include "gatunTypes.h"
-#include "vtkGatunCoreModule.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +21,7 @@ namespace gatun
  * An isosurface passes through a range if Min < value <= Max, because a corner whose value is the
  * isovalue counts as one above it.
  */
-class VTKGATUNCORE_EXPORT IntervalTree
+class GATUN_EXPORT IntervalTree
 {
 public:
   /** Ranges without values, where Min > Max, are never found. */

@@ -3,7 +3,7 @@
 #ifndef gatunStrips_h
 #define gatunStrips_h
 
-#include "vtkGatunCoreModule.h"
+#include "gatunExport.h"
 
 #include <array>
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace gatun
  * input make long strips. Orientations are kept: triangle i of a strip consists of its points i, i
  * + 1, i + 2, with reversed orientation if i is odd.
  */
-VTKGATUNCORE_EXPORT std::vector<std::vector<std::uint32_t>> MakeStrips(
+GATUN_EXPORT std::vector<std::vector<std::uint32_t>> MakeStrips(
   std::span<const std::array<std::uint32_t, 3>> triangles);
 }
 

@@ -3,8 +3,8 @@
 #ifndef gatunSurface_h
 #define gatunSurface_h
 
+#include "gatunExport.h"
 #include "gatunSurfacePart.h"
-#include "vtkGatunCoreModule.h"
 
 #include <array>
 #include <cstddef>
@@ -20,7 +20,7 @@ namespace gatun
  *
  * The order is that of the parts. The result does not depend on the number of threads.
  */
-class VTKGATUNCORE_EXPORT Surface
+class GATUN_EXPORT Surface
 {
 public:
   /** All parts must have been made with the same options and arrays. Only the gradients of the

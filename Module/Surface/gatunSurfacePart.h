@@ -5,10 +5,10 @@
 
 // Isosurfaces in a part of a mesh, with their arrays.
 
+#include "gatunExport.h"
 #include "gatunMarch.h"
 #include "gatunPageArray.h"
 #include "gatunTypes.h"
-#include "vtkGatunCoreModule.h"
 
 #include <array>
 #include <cstddef>
@@ -61,11 +61,11 @@ struct SurfacePart
 };
 
 /** Finds the isosurfaces in the tetrahedra first to last - 1. */
-VTKGATUNCORE_EXPORT SurfacePart MakeSurfacePart(const SurfaceInput& input,
-  const SurfaceOptions& options, std::uint64_t first, std::uint64_t last);
+GATUN_EXPORT SurfacePart MakeSurfacePart(const SurfaceInput& input, const SurfaceOptions& options,
+  std::uint64_t first, std::uint64_t last);
 
 /** Finds the isosurfaces in all tetrahedra, in parts, in parallel. Progress: see ParallelFor. */
-VTKGATUNCORE_EXPORT std::vector<SurfacePart> MakeSurfaceParts(const SurfaceInput& input,
+GATUN_EXPORT std::vector<SurfacePart> MakeSurfaceParts(const SurfaceInput& input,
   const SurfaceOptions& options, std::uint64_t tets,
   const std::function<bool(double)>& progress = {});
 
@@ -74,8 +74,8 @@ VTKGATUNCORE_EXPORT std::vector<SurfacePart> MakeSurfaceParts(const SurfaceInput
  * is -1 (to the value itself for arrays with one component). If values must be converted to double,
  * they are stored in converted, which must exist as long as the mesh is used.
  */
-VTKGATUNCORE_EXPORT void SetMarchValues(MarchInput& mesh, const TupleView& array,
-  std::size_t tuples, int component, std::vector<double>& converted);
+GATUN_EXPORT void SetMarchValues(MarchInput& mesh, const TupleView& array, std::size_t tuples,
+  int component, std::vector<double>& converted);
 }
 
 #endif

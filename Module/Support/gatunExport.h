@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file
+ * @brief GATUN_EXPORT marks what the library of the core shows to others. All else is hidden.
+ *
+ * Headers of the core name nothing of VTK, so that its code is the same for every VTK.
+ */
+
+#ifndef gatunExport_h
+#define gatunExport_h
+
+#define GATUN_EXPORT __attribute__((visibility("default")))
+
+#endif
