@@ -27,11 +27,12 @@
  * Ghosts: cells marked DUPLICATECELL in vtkGhostType are left out, and points that only they use;
  * the marks for duplicates then go, too. Other marks (hidden cells and points) are kept.
  *
- * Time: with WriteAllTimeSteps, all time steps of the input go into one file over one mesh. Points
- * may move: then the input is asked for its first steps once more. If the cells or the number of
- * points change, or an array comes, goes or changes its type, that is an error naming the step.
- * Points cannot move with NumberOfPieces or several processes. Without, the step at hand is
- * written, with its time if it has one (vtkDataObject::DATA_TIME_STEP()).
+ * Time: with WriteAllTimeSteps, all time steps of the input go into one file. Points may move: then
+ * the input is asked for its first steps once more. Cells and the number of points may change: then
+ * the file has another mesh from that step on. If an array comes, goes or changes its type, that is
+ * an error naming the step; so are points that move and meshes that change with NumberOfPieces or
+ * several processes. Without, the step at hand is written, with its time if it has one
+ * (vtkDataObject::DATA_TIME_STEP()).
  *
  * The file appears under its name once it is complete; after an error or an abort, a file that was
  * there before is as it was. One that is read-only is replaced with ReplaceReadOnly only.
