@@ -41,6 +41,7 @@ in_ci=OFF
 if [ "${CI:-}" = true ]; then
   in_ci=ON
 fi
+launcher=() # of the compiler
 
 packages_build=(
   cmake g++ libcli11-dev libfmt-dev libglm-dev libopenimageio-dev libtet1.5-dev
@@ -49,6 +50,7 @@ packages_window=(libgl1-mesa-dri xauth xvfb)
 packages_test=(
   desktop-file-utils doxygen git libglib2.0-bin libgtest-dev man-db mypy openimageio-tools python3-h5py python3-meshio
   python3-xxhash python3-zstandard shared-mime-info zsh)
+packages_ci=(ccache)
 packages_bench=(draco libmeshoptimizer-dev libzfp-dev openctm-tools python3-matplotlib)
 packages_soak=(clang libclang-rt-dev mount util-linux)
 # Pictures of the guide: a window of ParaView, used by a program, and small files.
@@ -169,7 +171,7 @@ configure_tree() {
   shift
   # The output of CMake is of interest only if it fails.
   (cd "$root" && cmake --preset "$preset" -B "$build/$preset" -DPython3_EXECUTABLE=/usr/bin/python3 \
-    "-DGATUN_WARNINGS_AS_ERRORS=$in_ci" "$@") >"$build/$preset.log" 2>&1 || {
+    "-DGATUN_WARNINGS_AS_ERRORS=$in_ci" "${launcher[@]}" "$@") >"$build/$preset.log" 2>&1 || {
     cat "$build/$preset.log" >&2
     die "cannot configure $build/$preset"
   }
@@ -207,10 +209,20 @@ run_demo() {
   GATUN_BUILD=$build/release exec "$root/Utilities/demo.sh" "$@"
 }
 
+# The core is the same code for VTK and for ParaView: it is compiled once for both.
+use_ccache() {
+  install_packages "${packages_ci[@]}"
+  export CCACHE_DIR=${CCACHE_DIR:-$build/ccache} CCACHE_BASEDIR=${CCACHE_BASEDIR:-$root} CCACHE_NOHASHDIR=1
+  launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+}
+
 run_test() {
   local trees=(release paraview)
   install_packages "${packages_build[@]}" "${packages_window[@]}" "${packages_test[@]}" \
     "${packages_paraview[@]}"
+  if [ "$in_ci" = ON ]; then
+    use_ccache
+  fi
   find_paraview
   build_vtk -DGATUN_BUILD_TESTING=ON
   build_paraview paraview -DGATUN_BUILD_TESTING=ON

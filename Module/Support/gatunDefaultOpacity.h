@@ -42,7 +42,7 @@ struct OpacityNode
 };
 
 /** Opacities that grow with the values, from 0 to 1, for images that show one value of each ray. */
-VTKGATUNCORE_EXPORT std::span<const OpacityNode> GetDefaultRamp();
+GATUN_EXPORT std::span<const OpacityNode> GetDefaultRamp();
 
 /** A default transfer function. */
 struct DefaultTransfer

@@ -22,8 +22,7 @@ struct Fingerprint
 };
 
 /** The fingerprint of a list of arrays: of their lengths and bytes. Throws std::bad_alloc. */
-VTKGATUNCORE_EXPORT Fingerprint MakeFingerprint(
-  std::span<const std::span<const std::uint8_t>> arrays);
+GATUN_EXPORT Fingerprint MakeFingerprint(std::span<const std::span<const std::uint8_t>> arrays);
 }
 
 #endif
