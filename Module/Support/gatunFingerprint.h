@@ -3,7 +3,7 @@
 #ifndef gatunFingerprint_h
 #define gatunFingerprint_h
 
-#include "vtkGatunCoreModule.h"
+#include "gatunExport.h" // For export macro
 
 #include <cstdint>
 #include <span>
