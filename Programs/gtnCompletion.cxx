@@ -68,7 +68,7 @@ Value ValueOf(const CLI::Option& option)
   {
     value.Words = SplitAt(checks.substr(begin + 1, end - begin - 1), ',');
   }
-  const std::string text = option.get_option_text();
+  const std::string& text = option.get_option_text();
   for (const std::string& part : SplitAt(text.substr(0, text.find(' ')), '|'))
   {
     if (part == "PRESET")
