@@ -72,7 +72,7 @@ assert_same("velocity.vtu", "velocity2.vtu")
 with open("camera.json", "w") as file:
     json.dump({"position": (28, 20, 45), "focalPoint": (8, 8, 8), "viewUp": (0, 1, 0)}, file)
 look = ["render", "-q", "--size", "90x70", "--array", "velocity", "--component", 0,
-        "--range=-1,1", "--unit-distance", 0.5, "--camera", "camera.json"]
+        "--tf", "dusk", "--range=-1,1", "--unit-distance", 0.5, "--camera", "camera.json"]
 gtn("simplify", "-q", "--ratio", 0.8, "mesh.vtu", "simple.vtu")
 gtn(*look, "simple.vtu", "expected.png")
 gtn(*look, "mesh.vtu", "whole.png")
