@@ -1,5 +1,6 @@
 # Installs each component of the build into a folder of its own, as packages are made of them, and checks
 # what is where.
+cmake_minimum_required(VERSION 3.22)
 include("${CMAKE_CURRENT_LIST_DIR}/gatunRun.cmake")
 
 file(REMOVE_RECURSE "${TEMP}")
@@ -80,7 +81,8 @@ file(GLOB_RECURSE all RELATIVE "${TEMP}/all" "${TEMP}/all/*")
 foreach (file IN LISTS all)
   set(found FALSE)
   foreach (component IN LISTS COMPONENTS)
-    if (EXISTS "${TEMP}/${component}/${file}")
+    # A link to a library of another component leads nowhere.
+    if (EXISTS "${TEMP}/${component}/${file}" OR IS_SYMLINK "${TEMP}/${component}/${file}")
       set(found TRUE)
     endif ()
   endforeach ()
