@@ -29,8 +29,8 @@
 #   GATUN_NO_INSTALL       if set, packages are never installed (missing ones are an error)
 #   GATUN_DATA_DIR, GATUN_CELLS_DIR
 #                          large meshes for tests and benchmarks (none: those tests are skipped)
-#   CI                     true: compiler warnings are errors, and `test` also runs the tests of codec,
-#                          formats and files and the fuzz inputs with AddressSanitizer and
+#   CI                     true: compiler warnings are errors, and `test` also runs the tests of codecs,
+#                          formats and damaged files and the fuzz inputs with AddressSanitizer and
 #                          UndefinedBehaviorSanitizer
 
 set -euo pipefail
