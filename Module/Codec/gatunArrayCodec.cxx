@@ -341,7 +341,10 @@ bool HaveBefore(std::span<const ComponentKeys> components)
 /** How slowly streams of a mode are decoded. */
 int GetSlowness(SpatialMode mode)
 {
-  return mode == SpatialMode::Quadratic ? 2 : mode == SpatialMode::PlainQuadratic ? 1 : 0;
+  return mode == SpatialMode::CorrectedQuadratic ? 3
+    : mode == SpatialMode::Quadratic             ? 2
+    : mode == SpatialMode::PlainQuadratic        ? 1
+                                                 : 0;
 }
 
 /** Whether a stream of this size, with these modes, is to replace another one. */
@@ -396,6 +399,27 @@ Bytes EncodeBest(std::span<const SpatialMode> spatial, std::span<const Domain> d
   return best;
 }
 
+/** Adds the modes that a fit allows. They are last, because each must beat all faster ones by a
+ * margin. */
+void AddQuadraticModes(const QuadraticFit* fit, std::vector<SpatialMode>& modes)
+{
+  if (fit)
+  {
+    modes.insert(modes.end(), { SpatialMode::PlainQuadratic, SpatialMode::Quadratic });
+  }
+  if (fit && fit->HasCorrections())
+  {
+    modes.push_back(SpatialMode::CorrectedQuadratic);
+  }
+}
+
+/** Whether a fit, or none, is enough for a mode. */
+bool IsEnough(const QuadraticFit* fit, SpatialMode mode)
+{
+  return !IsQuadratic(mode) ||
+    (fit && (mode != SpatialMode::CorrectedQuadratic || fit->HasCorrections()));
+}
+
 void CheckBefore(const ArrayModes& modes, std::span<const ComponentKeys> components)
 {
   if (modes.Temporal != TemporalMode::None && !HaveBefore(components))
@@ -408,7 +432,7 @@ void CheckBefore(const ArrayModes& modes, std::span<const ComponentKeys> compone
 //------------------------------------------------------------------------------
 ArrayModes ArrayModes::Read(std::span<const std::uint8_t> stream)
 {
-  if (stream.size() < 2 || stream[0] > 4 || stream[1] > 2)
+  if (stream.size() < 2 || stream[0] > 5 || stream[1] > 2)
   {
     ThrowCorrupt("an array's stream has an unknown mode");
   }
@@ -429,11 +453,7 @@ Bytes EncodePointValues(const PointContext& context, std::span<const Domain> dom
   {
     modes.insert(modes.begin(), SpatialMode::Fit);
   }
-  if (context.Quadratic)
-  {
-    // Last, because each must beat all faster ones by a margin.
-    modes.insert(modes.end(), { SpatialMode::PlainQuadratic, SpatialMode::Quadratic });
-  }
+  AddQuadraticModes(context.Quadratic, modes);
   return EncodeBest(modes, domains, components, margin,
     [&](EntropyEncoder& coder, const ArrayModes& chosen, std::span<ComponentKeys> keys)
     { CodePointComponents(coder, chosen, context, domains, keys); });
@@ -445,7 +465,7 @@ void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext&
   const auto modes = ArrayModes::Read(stream);
   CheckBefore(modes, components);
   if ((modes.Spatial == SpatialMode::Fit && !context.Fit) ||
-    (IsQuadratic(modes.Spatial) && !context.Quadratic))
+    !IsEnough(context.Quadratic, modes.Spatial))
   {
     ThrowCorrupt("a stream needs neighbors that are not there");
   }
@@ -461,10 +481,7 @@ Bytes EncodeCellValues(const CellContext& context, std::span<const Domain> domai
   {
     modes.push_back(SpatialMode::Gate);
   }
-  if (context.Quadratic)
-  {
-    modes.insert(modes.end(), { SpatialMode::PlainQuadratic, SpatialMode::Quadratic });
-  }
+  AddQuadraticModes(context.Quadratic, modes);
   return EncodeBest(modes, domains, components, margin,
     [&](EntropyEncoder& coder, const ArrayModes& chosen, std::span<ComponentKeys> keys)
     { CodeCellComponents(coder, chosen, context, domains, keys); });
@@ -477,7 +494,7 @@ void DecodeCellValues(std::span<const std::uint8_t> stream, const CellContext& c
   CheckBefore(modes, components);
   if (modes.Spatial == SpatialMode::Fit ||
     (modes.Spatial == SpatialMode::Gate && context.IsBlock()) ||
-    (IsQuadratic(modes.Spatial) && !context.Quadratic))
+    !IsEnough(context.Quadratic, modes.Spatial))
   {
     ThrowCorrupt("a stream needs places around it that are not there");
   }

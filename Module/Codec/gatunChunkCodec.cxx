@@ -462,7 +462,7 @@ std::vector<std::array<double, 3>> ChunkMesh::GetPlaces() const
 }
 
 //------------------------------------------------------------------------------
-QuadraticFit ChunkMesh::FitCells() const
+QuadraticFit ChunkMesh::FitCells(bool withCorrections) const
 {
   const bool areTets = this->Cells.Types.empty();
   std::vector<std::uint32_t> starts, corners;
@@ -473,11 +473,12 @@ QuadraticFit ChunkMesh::FitCells() const
   }
   starts.push_back(static_cast<std::uint32_t>(corners.size()));
   return gatun::FitCells(areTets ? std::span<const std::uint32_t>(starts) : this->Cells.Starts,
-    areTets ? std::span<const std::uint32_t>(corners) : this->Cells.Corners, this->GetPlaces());
+    areTets ? std::span<const std::uint32_t>(corners) : this->Cells.Corners, this->GetPlaces(),
+    withCorrections);
 }
 
 //------------------------------------------------------------------------------
-void ChunkMesh::MakeContext(bool withFits)
+void ChunkMesh::MakeContext(bool withFits, bool withCorrections)
 {
   this->Context.Mesh = &this->Walk;
   this->Context.Rules = &this->Rules;
@@ -499,7 +500,7 @@ void ChunkMesh::MakeContext(bool withFits)
     const FloatEnvironment guard;
     const auto places = this->GetPlaces();
     this->Fit.emplace(this->Walk, places);
-    this->Quadratic.emplace(this->Walk, places);
+    this->Quadratic.emplace(this->Walk, places, withCorrections);
   }
   this->Context.Fit = this->Fit ? &*this->Fit : nullptr;
   this->Context.Quadratic = this->Quadratic ? &*this->Quadratic : nullptr;

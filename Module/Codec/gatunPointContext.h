@@ -25,13 +25,15 @@ enum class SpatialMode : std::uint8_t
   Gate = 1,      ///< points: the rule that predicted the coordinates; cells: the parent tetrahedron
   Fit = 2,       ///< points: a linear function fitted to the known neighbors
   Quadratic = 3, ///< a quadratic and a linear function, and the rule of Gate, blended
-  PlainQuadratic = 4 ///< the quadratic function alone
+  PlainQuadratic = 4,    ///< the quadratic function alone
+  CorrectedQuadratic = 5 ///< as Quadratic, and the quadratic function corrected by its errors
 };
 
-/** Whether a mode needs a QuadraticFit. */
+/** Whether a mode needs a QuadraticFit; CorrectedQuadratic needs one with corrections. */
 constexpr bool IsQuadratic(SpatialMode mode)
 {
-  return mode == SpatialMode::Quadratic || mode == SpatialMode::PlainQuadratic;
+  return mode == SpatialMode::Quadratic || mode == SpatialMode::PlainQuadratic ||
+    mode == SpatialMode::CorrectedQuadratic;
 }
 
 /** Use of the values of the previous time step. */

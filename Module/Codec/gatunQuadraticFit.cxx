@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numeric>
 
@@ -18,8 +19,8 @@ namespace
 using Places = NeighborLists::Places;
 
 /** Sets a lane to the offsets of neighbors from the center, of which the mean square is 1. If that
- * cannot be, all are 0. */
-void SetLane(QuadraticLanes& lanes, std::size_t lane, const std::array<double, 3>& center,
+ * cannot be, all are 0. Returns what they were multiplied by, or 0. */
+double SetLane(QuadraticLanes& lanes, std::size_t lane, const std::array<double, 3>& center,
   std::span<const Vertex> neighbors, std::span<const std::uint8_t> isShared, Places places)
 {
   double sum = 0;
@@ -50,11 +51,24 @@ void SetLane(QuadraticLanes& lanes, std::size_t lane, const std::array<double, 3
   lanes.PerNeighbor[lane] = 3 / count;
   lanes.Equal[lane] = 1 / count;
   lanes.Neighbors = std::max(lanes.Neighbors, neighbors.size());
+  return isUsable ? scale : 0;
+}
+
+double GetSquare(
+  const std::array<double, 3>& place, const std::array<double, 3>& center, double scale)
+{
+  double sum = 0;
+  for (unsigned k = 0; k < 3; ++k)
+  {
+    const double d = (place[k] - center[k]) * scale;
+    sum += d * d;
+  }
+  return sum;
 }
 }
 
 //------------------------------------------------------------------------------
-QuadraticFit::QuadraticFit(const Topology& topology, Places places)
+QuadraticFit::QuadraticFit(const Topology& topology, Places places, bool withCorrections)
 {
   std::vector<Vertex> centers;
   std::vector<std::uint8_t> isShared(places.size());
@@ -67,18 +81,20 @@ QuadraticFit::QuadraticFit(const Topology& topology, Places places)
       centers.push_back(v);
     }
   }
-  this->FindWeights(NeighborLists::OfWalk(topology, places), places, centers, isShared);
+  this->FindWeights(
+    NeighborLists::OfWalk(topology, places), places, centers, isShared, withCorrections);
 }
 
-QuadraticFit::QuadraticFit(const NeighborLists& lists, Places places)
+QuadraticFit::QuadraticFit(const NeighborLists& lists, Places places, bool withCorrections)
 {
   std::vector<Vertex> centers(places.size());
   std::iota(centers.begin(), centers.end(), 0u);
-  this->FindWeights(lists, places, centers, std::vector<std::uint8_t>(places.size()));
+  this->FindWeights(
+    lists, places, centers, std::vector<std::uint8_t>(places.size()), withCorrections);
 }
 
 void QuadraticFit::FindWeights(const NeighborLists& lists, Places places,
-  std::span<const Vertex> centers, std::span<const std::uint8_t> isShared)
+  std::span<const Vertex> centers, std::span<const std::uint8_t> isShared, bool withCorrections)
 {
   const auto own = centers.size();
   this->Start.reserve(own + 1);
@@ -90,13 +106,15 @@ void QuadraticFit::FindWeights(const NeighborLists& lists, Places places,
   }
   this->List.reserve(this->Start.back());
 
-  const auto findWeights = GetBestQuadraticWeights();
+  const auto& kernels = GetBestQuadraticKernels();
+  std::vector<Moments> moments(withCorrections ? places.size() : 0);
   QuadraticLanes lanes;
   std::array<Neighbor, NeighborLists::MaxNeighbors> neighbors;
   for (std::size_t first = 0; first < own; first += QuadraticLanes::Count)
   {
     const auto end = std::min(own, first + QuadraticLanes::Count);
     lanes.Neighbors = 0;
+    std::array<double, QuadraticLanes::Count> scales{};
     for (std::size_t i = first; i < first + QuadraticLanes::Count; ++i)
     {
       const auto lane = i - first;
@@ -105,9 +123,20 @@ void QuadraticFit::FindWeights(const NeighborLists& lists, Places places,
         SetLane(lanes, lane, {}, {}, isShared, places);
         continue;
       }
-      SetLane(lanes, lane, places[centers[i]], lists.Of(i), isShared, places);
+      scales[lane] = SetLane(lanes, lane, places[centers[i]], lists.Of(i), isShared, places);
     }
-    findWeights(lanes);
+    MomentLanes found;
+    if (withCorrections)
+    {
+      std::memcpy(found.X, lanes.X, sizeof(found.X));
+      std::memcpy(found.Y, lanes.Y, sizeof(found.Y));
+      std::memcpy(found.Z, lanes.Z, sizeof(found.Z));
+    }
+    kernels.FindWeights(lanes);
+    if (withCorrections)
+    {
+      kernels.FindMoments(lanes, found);
+    }
     for (std::size_t i = first; i < end; ++i)
     {
       const auto list = lists.Of(i);
@@ -119,13 +148,76 @@ void QuadraticFit::FindWeights(const NeighborLists& lists, Places places,
       }
       this->List.insert(this->List.end(), neighbors.begin(),
         neighbors.begin() + static_cast<std::ptrdiff_t>(list.size()));
+      if (withCorrections && !list.empty())
+      {
+        auto& moment = moments[centers[i]];
+        moment.Scale = scales[lane];
+        for (std::size_t k = 0; k < moment.Values.size(); ++k)
+        {
+          moment.Values[k] = found.Moment[k][lane];
+        }
+      }
+    }
+  }
+  if (withCorrections)
+  {
+    this->FindCorrections(places, centers, moments);
+  }
+}
+
+void QuadraticFit::FindCorrections(
+  Places places, std::span<const Vertex> centers, std::span<const Moments> moments)
+{
+  this->IsCorrected = true;
+  this->Corrections.resize(this->List.size());
+  const auto& kernels = GetBestQuadraticKernels();
+  CorrectionLanes lanes;
+  for (std::size_t first = 0; first < centers.size(); first += QuadraticLanes::Count)
+  {
+    const auto end = std::min(centers.size(), first + QuadraticLanes::Count);
+    lanes = {}; // a neighbor without moments has weight 0
+    for (std::size_t i = first; i < end; ++i)
+    {
+      const auto lane = i - first;
+      const auto& own = moments[centers[i]];
+      const auto nearest = this->GetCorrecting(i);
+      lanes.Neighbors = std::max(lanes.Neighbors, nearest.size());
+      for (std::size_t m = 0; m < own.Values.size(); ++m)
+      {
+        lanes.Own[m][lane] = own.Values[m];
+      }
+      for (std::size_t k = 0; k < nearest.size(); ++k)
+      {
+        const auto u = nearest[k].Id;
+        const auto& other = moments[u];
+        const auto ratio =
+          own.Scale > 0 && other.Scale > 0 ? static_cast<float>(own.Scale / other.Scale) : 0;
+        const float unit = ratio * ratio * ratio; // of third derivatives
+        if (unit > 0 && unit <= 1e6f)
+        {
+          const double square = GetSquare(places[u], places[centers[i]], own.Scale);
+          lanes.Nearness[k][lane] = 1 / (static_cast<float>(square) + 0.3f);
+          for (std::size_t m = 0; m < other.Values.size(); ++m)
+          {
+            lanes.Moment[k][m][lane] = other.Values[m] * unit;
+          }
+        }
+      }
+    }
+    kernels.FindCorrections(lanes);
+    for (std::size_t i = first; i < end; ++i)
+    {
+      for (std::size_t k = 0; k < this->GetCorrecting(i).size(); ++k)
+      {
+        this->Corrections[this->Start[i] + k] = lanes.Weight[k][i - first];
+      }
     }
   }
 }
 
 //------------------------------------------------------------------------------
-QuadraticFit FitCells(
-  std::span<const std::uint32_t> starts, std::span<const std::uint32_t> corners, Places points)
+QuadraticFit FitCells(std::span<const std::uint32_t> starts, std::span<const std::uint32_t> corners,
+  Places points, bool withCorrections)
 {
   // Means of the corners, added up in the order of their numbers, whatever their order in the cell.
   std::vector<std::array<double, 3>> places(starts.size() - 1);
@@ -145,6 +237,6 @@ QuadraticFit FitCells(
     const auto count = static_cast<double>(own.size());
     places[cell] = { sum[0] / count, sum[1] / count, sum[2] / count };
   }
-  return { NeighborLists::OfCells(starts, corners, places), places };
+  return { NeighborLists::OfCells(starts, corners, places), places, withCorrections };
 }
 }

@@ -11,10 +11,10 @@
 namespace gatun
 {
 //------------------------------------------------------------------------------
-FindQuadraticWeights GetAVX2QuadraticWeights()
+const QuadraticKernels* GetAVX2QuadraticKernels()
 {
 #if defined(__AVX2__)
-  return AVX2::FindWeights;
+  return &AVX2::Kernels;
 #else
   return nullptr;
 #endif

@@ -7,19 +7,19 @@
 namespace gatun
 {
 //------------------------------------------------------------------------------
-FindQuadraticWeights GetPortableQuadraticWeights()
+const QuadraticKernels& GetPortableQuadraticKernels()
 {
-  return Portable::FindWeights;
+  return Portable::Kernels;
 }
 
 //------------------------------------------------------------------------------
-FindQuadraticWeights GetBestQuadraticWeights()
+const QuadraticKernels& GetBestQuadraticKernels()
 {
 #if defined(__x86_64__)
-  static const auto best = __builtin_cpu_supports("avx2") ? GetAVX2QuadraticWeights() : nullptr;
-  return best ? best : GetPortableQuadraticWeights();
+  static const auto* best = __builtin_cpu_supports("avx2") ? GetAVX2QuadraticKernels() : nullptr;
+  return best ? *best : GetPortableQuadraticKernels();
 #else
-  return GetPortableQuadraticWeights();
+  return GetPortableQuadraticKernels();
 #endif
 }
 }
