@@ -378,7 +378,7 @@ std::vector<Bytes> StepSection::EncodeBlock(const WriterPart& part, std::size_t 
     {
       if (!fit)
       {
-        fit.emplace(GetPlaces(part.Mesh.GetMesh(), points));
+        fit.emplace(GetPlaces(part.Mesh.GetMesh(), points), this->State.Options.Effort > 0);
       }
       auto keys = inputs[a].GetKeys(points);
       streams[a] = EncodeCellValues({ {}, &*fit }, inputs[a].Domains, keys, inputs[a].GetMargin());
@@ -446,11 +446,12 @@ std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
   const FloatEnvironment guard;
   auto& step = this->GetStep();
   auto& state = part.Chunks[chunk];
-  state.Mesh.MakeContext(step.HasValues(Association::Point));
+  const bool withCorrections = this->State.Options.Effort > 0;
+  state.Mesh.MakeContext(step.HasValues(Association::Point), withCorrections);
   std::optional<QuadraticFit> cellFit;
   if (step.HasValues(Association::Cell))
   {
-    cellFit.emplace(state.Mesh.FitCells());
+    cellFit.emplace(state.Mesh.FitCells(withCorrections));
   }
   const CellContext cells{ state.Mesh.Walk.Parents, cellFit ? &*cellFit : nullptr };
   std::vector<Bytes> streams;
