@@ -16,8 +16,8 @@ except ImportError as error:
     print(error)
     sys.exit(SKIPPED)
 
+from gtn_bytes import step_limit, table_limit, unpack
 from gtn_coding import FLOAT32, Domain
-from gtn_container import step_limit, table_limit, unpack
 from gtn_tree import decode_merges
 from gtn_walk import Geometry, Walk
 

@@ -17,7 +17,7 @@ except ImportError as error:
     sys.exit(golden.gm.SKIPPED)
 
 from gtn_boundary import check_boundary
-from gtn_container import FormatError
+from gtn_bytes import FormatError
 from gtn_decoder import Decoder
 from gtn_dependencies import check_dependencies
 from gtn_layers import check_layers

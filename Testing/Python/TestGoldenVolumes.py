@@ -13,7 +13,7 @@ SKIPPED = 125
 try:
     from make_golden_volumes import describe_all
     from ghv_decoder import Volume
-    from gtn_container import FormatError
+    from gtn_bytes import FormatError
 except ImportError as error:
     print(error)
     sys.exit(SKIPPED)

@@ -16,7 +16,8 @@ except ImportError as error:
     print(error)
     sys.exit(golden.gm.SKIPPED)
 
-from gtn_container import Container, FormatError
+from gtn_bytes import FormatError
+from gtn_container import Container
 
 folder = os.path.join(os.environ["GATUN_TEST_TEMP"], "hostile")
 os.makedirs(folder, exist_ok=True)

@@ -19,7 +19,7 @@ except ImportError as error:
 import make_golden_boundaries
 from gatun import vtkGatunReader
 from gtn_boundary import check_boundary
-from gtn_container import FormatError
+from gtn_bytes import FormatError
 from gtn_decoder import Decoder
 from vtkmodules.vtkCommonCore import vtkObject
 

@@ -18,7 +18,9 @@ except ImportError as error:
     sys.exit(golden.gm.SKIPPED)
 
 from describe_decoded import describe_decoded
-from gtn_container import Bytes, Container, FormatError, read_cells
+from gtn_bytes import Bytes, FormatError
+from gtn_container import Container
+from gtn_tables import read_cells
 
 FOLDER = next(folder for folder in golden.folders() if folder.endswith("v1.3"))
 DAMAGES = 250

@@ -7,9 +7,11 @@ import struct
 
 import gatunGolden as golden
 import numpy as np
-from gtn_container import POINTS, SIZES, SURFACE_LISTS, checksum
+from gtn_bytes import SIZES, checksum
+from gtn_container import SURFACE_LISTS
 from gtn_decoder import Decoder
 from gtn_series import LivingMesh
+from gtn_tables import POINTS
 
 WHERE = ("points", "cells")
 

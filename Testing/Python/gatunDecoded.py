@@ -7,8 +7,8 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import gatunMeshes as gm
-from gtn_container import CELLS, POINTS
 from gtn_decoder import Decoder
+from gtn_tables import CELLS, POINTS
 
 
 def decode(path):

@@ -9,8 +9,8 @@ from types import SimpleNamespace as Record
 
 import numpy
 
+from gtn_bytes import Bytes, checksum, require
 from gtn_coding import Coded
-from gtn_container import Bytes, checksum, require
 
 MAGIC = bytes.fromhex("894748560D0A1A0A")
 END_MAGIC = b"GHVEND\r\n"

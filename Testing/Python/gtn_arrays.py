@@ -10,10 +10,10 @@ import math
 import sys
 
 from gtn_bounds import BoundedValues
+from gtn_bytes import Bytes, require
 from gtn_cells import TURNS, CellMesh, split
 from gtn_coding import (
     FLOAT32, FLOAT64, MAX_FLOAT32, UINT8, Coded, Domain, RunningSpread, divide)
-from gtn_container import Bytes, require
 from gtn_quadratic import (
     CorrectedPredictor, Lists, PlainPredictor, Predictor, decode_component, decode_places,
     find_cell_neighbors, find_cell_places, find_neighbors)

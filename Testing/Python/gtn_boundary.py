@@ -8,8 +8,9 @@ Part of gtn_decoder, which is written from that text alone.
 
 from collections import Counter
 
-from gtn_container import CELLS, POINTS, require
+from gtn_bytes import require
 from gtn_shapes import CYCLES, FLAT, PIXEL, STRIP, SURFACES
+from gtn_tables import CELLS, POINTS
 
 POLYHEDRON, POLYLINE = 42, 4
 VERTICES, CURVES = (1, 2), (3, 4, 21, 35, 68, 75)

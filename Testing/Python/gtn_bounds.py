@@ -7,9 +7,10 @@ Part of gtn_decoder, which is written from that text alone.
 """
 
 import math
+from types import SimpleNamespace as Record
 
+from gtn_bytes import require
 from gtn_coding import FLOAT32, FLOAT64, RunningSpread, divide
-from gtn_container import Record, require
 
 ABSOLUTE, RELATIVE, POINTWISE, BITS = 1, 2, 3, 4
 LATTICE, KEEP_ZEROS = 1, 2

@@ -7,7 +7,7 @@ same.
 Part of gtn_decoder, which is written from that text alone.
 """
 
-from gtn_container import require
+from gtn_bytes import require
 from gtn_nodes import nodes_of_size
 from gtn_records import B1, D12, D13, D23, N1, N2, SLOTS, CellRecord, O
 from gtn_shapes import POLYHEDRON, edges_of, first_size, network_of

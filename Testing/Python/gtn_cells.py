@@ -9,8 +9,8 @@ Part of gtn_decoder, which is written from that text alone.
 
 import numpy as np
 
+from gtn_bytes import Bytes, require
 from gtn_cell_list import CellList
-from gtn_container import Bytes, require
 from gtn_grow import CellWalk
 from gtn_hull import hull_faces
 from gtn_nodes import Nodes, decode_marks

@@ -9,7 +9,7 @@ Part of gtn_decoder, which is written from that text alone.
 import math
 import struct
 
-from gtn_container import SIZES, Bytes, require
+from gtn_bytes import SIZES, Bytes, require
 
 INT_TYPES, UINT_TYPES = (1, 3, 5, 7), (2, 4, 6, 8)
 UINT8, UINT32, UINT64, FLOAT32, FLOAT64 = 2, 6, 8, 9, 10

@@ -19,15 +19,16 @@ import numpy as np
 from gtn_arrays import ChunkMesh, decode_list, decode_palette
 from gtn_boundary import open_boundary
 from gtn_bounds import read_bound
+from gtn_bytes import BOUND, PALETTE, SHIFT, Bytes, FormatError, require
 from gtn_coding import (
     FLOAT32, FLOAT64, UINT32, UINT64, Decimals, Domain, Shift)
-from gtn_container import (
-    BOUND, CELLS, KEEP_CELLS, KEEP_CORNERS, KEEP_POINTS, PALETTE, POINTS, SHIFT, Container, FormatError,
-    Bytes, is_copy, require)
+from gtn_container import Container
 from gtn_dependencies import decode_dependencies
 from gtn_quadratic import Lists, find_block_neighbors
 from gtn_series import open_mesh
 from gtn_shapes import Shapes
+from gtn_steps import is_copy
+from gtn_tables import CELLS, KEEP_CELLS, KEEP_CORNERS, KEEP_POINTS, POINTS
 from gtn_tree import SimplerMesh, decode_merges, open_level
 
 TYPES = {1: "<i1", 2: "<u1", 3: "<i2", 4: "<u2", 5: "<i4", 6: "<u4", 7: "<i8", 8: "<u8",

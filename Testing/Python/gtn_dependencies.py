@@ -6,8 +6,8 @@
 Part of gtn_decoder, which is written from that text alone.
 """
 
+from gtn_bytes import Bytes, require
 from gtn_coding import Coded, RunningSpread
-from gtn_container import Bytes, require
 
 TRIANGLE = 5
 MOST_NEAR = 8

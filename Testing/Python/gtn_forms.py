@@ -8,7 +8,7 @@ Part of gtn_decoder, which is written from that text alone.
 
 from collections import deque
 
-from gtn_container import require
+from gtn_bytes import require
 from gtn_records import mix
 from gtn_shapes import MAX_CORNERS, MAX_FACES, Form, check_closed, surface_of
 from gtn_vertices import clamp

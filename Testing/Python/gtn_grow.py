@@ -7,7 +7,7 @@ are the same.
 Part of gtn_decoder, which is written from that text alone.
 """
 
-from gtn_container import require
+from gtn_bytes import require
 from gtn_forms import NO_SHAPE, begin
 from gtn_front import Front, OpenFace, end, join
 from gtn_records import B1, D12, D13, D23, N1, SLOTS, CellRecord, O, mix, predicted

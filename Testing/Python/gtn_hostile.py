@@ -8,7 +8,8 @@ from types import SimpleNamespace as Record
 
 import zstandard
 
-from gtn_container import MAGIC, Container, checksum, table_limit, unpack
+from gtn_bytes import checksum, table_limit, unpack
+from gtn_container import MAGIC, Container
 
 
 UNKNOWN = b"ROOM"

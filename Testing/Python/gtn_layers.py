@@ -7,8 +7,30 @@ Part of gtn_decoder, which is written from that text alone.
 """
 
 import math
+from types import SimpleNamespace as Record
 
-from gtn_container import require
+from gtn_bytes import require
+from gtn_tables import POINTS
+
+MAX_LAYERS = 4096
+
+
+def read_layers(table, meta, layout):
+    """A section LAYR (14.1)."""
+    layers = Record(array=table.varint(), component=table.varint(), spacing=table.number("B"))
+    require(layers.array < len(meta.arrays), "array of the layers")
+    array = meta.arrays[layers.array]
+    require(array.where == POINTS, "layers of an array on cells")
+    require(layers.component < array.components + (array.components > 1), "component of the layers")
+    layers.count = table.varint()
+    require(1 <= layers.count <= MAX_LAYERS, "number of layers")
+    layers.bounds = [table.number("d") for _ in range(layers.count - 1)]
+    require(all(map(math.isfinite, layers.bounds)), "bound of a layer")
+    require(all(a < b for a, b in zip(layers.bounds, layers.bounds[1:])), "order of bounds")
+    layers.chunks = [(table.varint(), table.varint()) for _ in layout.chunks]
+    require(all(first <= last < layers.count for first, last in layers.chunks), "layers of a chunk")
+    table.end()
+    return layers
 
 
 def layer_of(layers, value):

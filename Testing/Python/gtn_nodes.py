@@ -7,7 +7,7 @@ and 4.7 of Documentation/cell-codec.md.
 Part of gtn_decoder, which is written from that text alone.
 """
 
-from gtn_container import require
+from gtn_bytes import require
 from gtn_lattice import MAX_ORDER, Node, nodes_of, order_of, shape_of
 from gtn_records import N1, CellRecord, mix, predicted
 from gtn_shapes import NODES, PIXEL

@@ -7,8 +7,8 @@ Documentation/cell-codec.md, in which names are the same.
 Part of gtn_decoder, which is written from that text alone.
 """
 
+from gtn_bytes import Bytes, require
 from gtn_coding import Coded
-from gtn_container import Bytes, require
 from gtn_planes import PLANES, REPEATS, Planes
 from gtn_vertices import F
 from gtn_walk import apply_rule, key_spread

@@ -1,14 +1,79 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Series of meshes in `.gtn` files: sections 18.2 and 18.4 of Documentation/format.md.
+"""Series of meshes in `.gtn` files: sections 18.1, 18.2 and 18.4 of Documentation/format.md.
 
 Part of gtn_decoder, which is written from that text alone.
 """
 
+from types import SimpleNamespace as Record
+
 import numpy as np
 
-from gtn_container import POINTS, masks_of, require, times_of
+from gtn_bytes import require
+from gtn_tables import POINTS
+
+
+def read_series(table, meta, steps, version):
+    """Section TIME (18.1). steps: those of the first mesh. A list of steps with mesh, mask and
+    time."""
+    series, masks = [], []
+    for _ in range(table.varint()):
+        step = Record(mesh=table.varint())
+        step.mask = table.varint() if version == 2 else 0
+        step.time = table.number("d")
+        require(step.mesh <= len(masks), "number of a mesh")
+        if step.mesh == len(masks):
+            require(step.mask == 0, "mask of the first step of a mesh")
+            masks.append(0)
+        require(step.mask <= masks[step.mesh] + 1, "number of a mask")
+        masks[step.mesh] = max(masks[step.mesh], step.mask)
+        require(not series or step.time > series[-1].time, "order of the steps of all meshes")
+        series.append(step)
+    table.end()
+    require(meta.has_time, "meshes without time")
+    require(times_of(series, 0) == [step.time for step in steps], "steps of the first mesh")
+    return series
+
+
+def times_of(series, mesh):
+    """Those of the steps of a mesh."""
+    return [step.time for step in series if step.mesh == mesh]
+
+
+def masks_of(series, mesh):
+    """The number of masks of a mesh."""
+    return max((step.mask for step in series if step.mesh == mesh), default=0)
+
+
+def read_mask(table, meta, layout, cells, before):
+    """A section LIVE (18.4): alive, a list of one value for each cell in the order of the file,
+    drops, and points."""
+    flags = table.number("B")
+    require(flags <= 3, "flags of a mask")
+    require(not flags & 1 or before is not None, "first mask")
+    mask = Record(drops=flags & 2 != 0, cells=table.varint(), points=table.varint())
+    if mask.drops:
+        require(mask.points <= meta.points, "points of a mask")
+    else:
+        require(mask.points == meta.points, "points of a mask")
+    if cells is not None:
+        mask.types = {kind: table.varint() for kind in cells.types}
+        require(all(mask.types[kind] <= cells.types[kind] for kind in mask.types), "types of a mask")
+        require(sum(mask.types.values()) == mask.cells, "types of a mask")
+    count = sum(chunk.tets if chunk.cells is None else chunk.cells.cells for chunk in layout.chunks)
+    mask.alive = list(before.alive) if flags & 1 else [True] * count
+    at = 0
+    for i in range(table.varint()):
+        length = table.varint()
+        require(length >= 1 or i == 0, "empty run of a mask")
+        require(at + length <= count, "runs of a mask")
+        if i % 2:
+            mask.alive[at : at + length] = [not alive for alive in mask.alive[at : at + length]]
+        at += length
+    table.end()
+    require(sum(mask.alive) == mask.cells, "living cells")
+    return mask
 
 
 def open_mesh(whole, number, make):

@@ -10,7 +10,7 @@ Part of gtn_decoder, which is written from that text alone.
 from collections import deque
 from functools import lru_cache
 
-from gtn_container import Bytes, require
+from gtn_bytes import Bytes, require
 
 TETRA, POLYHEDRON = 10, 42
 MAX_FACES = MAX_CORNERS = 255

@@ -9,7 +9,7 @@ Part of gtn_decoder, which is written from that text alone.
 
 import numpy as np
 
-from gtn_container import require
+from gtn_bytes import require
 from gtn_edges import BORDER, Around, Edge, EdgeFront, End, Polygon, link
 from gtn_nodes import flat_corners
 from gtn_records import B1, B2, B3, D12, D13, D23, N1, N2, SLOTS, CellRecord, O, mix, predicted

@@ -12,11 +12,50 @@ from types import SimpleNamespace as Record
 
 import numpy as np
 
+from gtn_bytes import Bytes, require
 from gtn_coding import Coded, RunningSpread
-from gtn_container import POINTS, Bytes, require
+from gtn_tables import POINTS
 
+MAX_RUNGS = MAX_LEVELS = 64
 INFINITY_KEY = 0x7F80
 TRIANGLE = 5
+
+
+def read_tree(table, meta, layout, is_surface):
+    """Section TREE (13.2)."""
+    require(meta.points < 1 << 32, "too many points for merges")
+    tree = Record(merges=table.varint())
+    unused = 0 if is_surface else meta.unused_points
+    require(tree.merges <= meta.points - unused, "more merges than points")
+    tree.stream = table.reference()
+    require((tree.stream is None) == (tree.merges == 0), "stream of merges")
+
+    def ascending(most):
+        count = table.varint()
+        require(count <= most, "too many rungs or base meshes")
+        numbers = [table.varint() for _ in range(count)]
+        require(all(a < b for a, b in zip([0] + numbers, numbers)), "numbers do not ascend")
+        require(not numbers or numbers[-1] <= tree.merges, "number of merges")
+        return numbers
+
+    tree.rungs = ascending(MAX_RUNGS)
+    require(tree.merges == 0 or tree.rungs and tree.rungs[-1] == tree.merges, "last rung")
+    tree.boxes = [[table.ranges(3) for _ in tree.rungs] for _ in layout.chunks]
+    tree.levels = ascending(MAX_LEVELS)
+    table.end()
+    return tree
+
+
+def read_tree_step(table, meta, layout, tree):
+    """A section TRNG (13.4): ranges by array, None for those of cells, chunk and rung."""
+    result = []
+    for array in meta.all_arrays:
+        count = array.components + (array.components > 1)
+        of_points = array.where == POINTS
+        result.append([[table.ranges(count) for _ in tree.rungs] for _ in layout.chunks]
+                      if of_points else None)
+    table.end()
+    return result
 
 
 def uniform(coded, n):

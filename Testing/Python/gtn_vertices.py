@@ -11,8 +11,8 @@ import math
 
 import numpy as np
 
+from gtn_bytes import require
 from gtn_coding import divide
-from gtn_container import require
 
 INF = math.inf
 F = np.float32  # Operations on such numbers are those of binary32.

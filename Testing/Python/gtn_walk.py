@@ -12,8 +12,8 @@ from collections import OrderedDict
 
 import numpy as np
 
+from gtn_bytes import Bytes, require
 from gtn_coding import Coded
-from gtn_container import Bytes, require
 from gtn_vertices import INF, F, Vertices, clamp, cross, dot, minus, square
 
 ANGLE, PLAIN, FLIPS = 1, 2, 4

@@ -14,7 +14,7 @@ import struct
 import sys
 
 from ghv_decoder import Volume
-from gtn_container import checksum
+from gtn_bytes import checksum
 
 
 def describe(path):
