@@ -2,118 +2,24 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Makes the golden files of a version of the format, once, and expected.json next to them:
+"""Makes the golden files of version 1.0 of the format, once, and expected.json next to them:
 
     PYTHONPATH=build/release/lib/python3/dist-packages Testing/Python/make_golden.py FOLDER
 
-Golden files stay as they are: a reader must read them forever. Where a file keeps the order of its
-input, what is expected is computed from the input, else by gtn_decoder, which shares no code with
-Gatun. That Gatun reads what was written is checked, too.
+Golden files stay as they are: a reader must read them forever.
 """
 
 import itertools
-import json
-import os
 import sys
 
 import numpy as np
 from vtkmodules.util import vtkConstants as c
-from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes
-from vtkmodules.vtkFiltersCore import vtkDelaunay3D
 
-import gatunGolden as golden
-from describe_decoded import describe_decoded
-from gatun import vtkGatunWriter
 from gatunGolden import gm
-from gatunTimeSource import TimeSource, connect
-
-MAX_BYTES, MAX_BYTES_IN_TOTAL = 30000, 250000
-
-# --------------------------------------------------------------------------------------------------
-# Meshes
-
-
-def cubes(n, split=6):
-    """Points of n^3 cubes and tetrahedra, five or six a cube, in the order of the cubes."""
-    nx, ny, nz = n
-    axes = [np.arange(m + 1) for m in n]
-    points = np.stack(np.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3).astype(float)
-    tets = []
-    for x, y, z in np.ndindex(nx, ny, nz):
-        corner = [
-            ((x + i) * (ny + 1) + y + j) * (nz + 1) + z + k
-            for i in (0, 1) for j in (0, 1) for k in (0, 1)]
-        if split == 6:
-            for a, b in ((1, 3), (3, 2), (2, 6), (6, 4), (4, 5), (5, 1)):
-                tets.append([corner[0], corner[a], corner[b], corner[7]])
-        else:
-            # Of two kinds, so that they fit together.
-            five = [(0, 3, 5, 6), (0, 1, 3, 5), (0, 3, 2, 6), (0, 6, 4, 5), (3, 6, 5, 7)]
-            if (x + y + z) % 2:
-                five = [[i ^ 1 for i in (b, a, c, d)] for a, b, c, d in five]
-            tets += [[corner[i] for i in tet] for tet in five]
-    return points, np.array(tets)
-
-
-def jitter(points, rng, amount=0.2):
-    return points + rng.uniform(-amount, amount, points.shape)
-
-
-def shuffle(points, tets, rng):
-    """In random order, with corners turned at random."""
-    order = rng.permutation(len(points))
-    place = np.argsort(order)
-    points, tets = points[order], place[tets[rng.permutation(len(tets))]]
-    turns = np.array([[0, 1, 2, 3], [1, 2, 0, 3], [1, 0, 3, 2], [3, 2, 1, 0]])
-    return points, np.take_along_axis(tets, turns[rng.integers(0, 4, len(tets))], 1)
-
-
-def fan(n):
-    """n tetrahedra around one edge."""
-    angle = np.arange(n) * 2 * np.pi / n
-    ring = np.stack([np.cos(angle), np.sin(angle), 0.1 * np.sin(3 * angle)], -1)
-    points = np.concatenate([[[0, 0, -1], [0, 0, 1]], ring])
-    return points, np.array([[0, 1, 2 + i, 2 + (i + 1) % n] for i in range(n)])
-
-
-def single(points):
-    return np.asarray(points, np.float32)
-
-
-def wave(points):
-    with np.errstate(all="ignore"):
-        return np.sin(3 * points.astype(float)).sum(1)
-
-
-def add(attributes, values, name, *rest, **more):
-    return gm.add_array(attributes, values, name, *rest, **more)
-
-
-def add_texts(grid, name, texts):
-    array = vtkStringArray()
-    array.SetName(name)
-    for text in texts:
-        array.InsertNextValue(text)
-    grid.GetFieldData().AddArray(array)
-
-
-def add_usual(grid):
-    """Ids, something smooth, a vector, something of few values."""
-    points = gm.coordinates(grid)
-    tets = gm.connectivity(grid)
-    add(grid.GetPointData(), np.arange(len(points), dtype=np.int32), "id")
-    add(grid.GetPointData(), single(wave(points)), "wave")
-    with np.errstate(all="ignore"):
-        vector = np.cos(points.astype(float) * [1, 2, 3])
-    add(grid.GetPointData(), single(np.round(vector, 3)), "vector")
-    add(grid.GetCellData(), np.arange(len(tets), dtype=np.int64), "cell")
-    add(grid.GetCellData(), (np.arange(len(tets)) // 40).astype(np.uint8), "material")
-    return grid
-
-
-# --------------------------------------------------------------------------------------------------
-# Golden files: functions that give a grid, or grids and times, and options of the writer
+from gatunGoldenFiles import make_all
+from gatunGoldenMeshes import (
+    add, add_texts, add_usual, cubes, delaunay, fan, jitter, shuffle, single, wave)
 
 
 def one_tet(rng):
@@ -445,14 +351,6 @@ def regular_chunks(_):
     return gm.make_grid(single(points), tets), {"ChunkTets": 400}
 
 
-def delaunay(points):
-    result = vtkDelaunay3D()
-    result.SetTolerance(0)
-    result.SetInputData(gm.make_grid(points, [[0, 1, 2, 3]]))
-    result.Update()
-    return gm.connectivity(result.GetOutput())
-
-
 CORNERS = np.stack(np.meshgrid([0, 65535], [0, 65535], [0, 65535]), -1).reshape(-1, 3)
 
 
@@ -557,74 +455,6 @@ ALL = [
     field_data, steps, steps_not_kept, one_step, long_searches_end, equal_ranks, regular_chunks,
     needles]
 
-# --------------------------------------------------------------------------------------------------
-# Writing and checking
-
-
-def write(path, grids, times, options):
-    writer = vtkGatunWriter()
-    if times:
-        connect(writer, TimeSource(grids.__getitem__, times))
-        writer.WriteAllTimeStepsOn()
-    else:
-        writer.SetInputDataObject(grids[0])
-    writer.SetFileName(path)
-    for name, value in options.items():
-        getattr(writer, "Set" + name)(value)
-    assert writer.Write() == 1, path
-
-
-def make(folder, function):
-    """Writes a golden file, checks it and returns its description."""
-    path = os.path.join(folder, function.__name__ + ".gtn")
-    made = function(np.random.default_rng(list(function.__name__.encode())))
-    grids, times, options = made if len(made) == 3 else ([made[0]], [], made[1])
-    write(path, grids, times, options)
-
-    # With all of the order the input tells what to expect, else the decoder.
-    with open(path, "rb") as file:
-        description = describe_decoded(file.read())
-    keep = options.get("KeepOrder", 0)
-    of_input = golden.describe_grids(grids, times, grids)
-    expected = dict(of_input, file_order=description["file_order"])
-    if keep != 7:
-        expected["input_order"] = description["input_order"]
-    golden.assert_same(expected, description, path + ", decoder")
-    golden.assert_same(expected, golden.describe_read(path), path + ", reader")
-
-    # Nothing but the order may differ from the input.
-    for grid, back in zip(grids, golden.read_steps(path, True)[0]):
-        if keep != 7:  # else input_order has told that already
-            gm.assert_same_mesh(grid, back)
-        if keep & 1:
-            assert np.array_equal(
-                gm.coordinates(grid).view(np.uint8), gm.coordinates(back).view(np.uint8))
-        if keep & 2:
-            arrays = [gm.arrays_of(part.GetCellData()) for part in (grid, back)]
-            for one, other in zip(*arrays):
-                assert np.array_equal(gm.values_of(one), gm.values_of(other))
-    return os.path.basename(path), expected, os.path.getsize(path)
-
-
-def main(folder, functions, adds=False):
-    """adds: to what expected.json has."""
-    os.makedirs(folder, exist_ok=True)
-    expected, total = {}, 0
-    if adds:
-        with open(os.path.join(folder, "expected.json"), encoding="utf-8") as file:
-            expected = json.load(file)
-    for function in functions:
-        name, description, size = make(folder, function)
-        expected[name] = description
-        print("%7d %s" % (size, name), flush=True)
-        assert size < MAX_BYTES, name
-        total += size
-    assert total < MAX_BYTES_IN_TOTAL, total
-    with open(os.path.join(folder, "expected.json"), "w", encoding="utf-8") as file:
-        json.dump(expected, file, indent=1, sort_keys=False)
-        file.write("\n")
-    print(total, "bytes")
-
 
 if __name__ == "__main__":
-    main(sys.argv[1], ALL)
+    make_all(sys.argv[1], ALL)

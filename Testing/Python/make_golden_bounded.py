@@ -21,9 +21,10 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 import gatunGolden as golden
 from describe_decoded import describe_decoded
 from gatun import vtkGatunWriter
+from gatunGolden import gm
+from gatunGoldenMeshes import add, cubes, jitter, shuffle, single, wave
 from gatunTimeSource import TimeSource, connect
 from make_golden_quadratic import smooth
-from make_golden import add, cubes, gm, jitter, shuffle, single, wave
 
 
 def wild(values):

@@ -27,7 +27,7 @@ import gatunShellMeshes as shells
 from describe_decoded import describe_decoded
 from gatunCells import described
 from gatunGolden import gm
-from make_golden import write
+from gatunGoldenFiles import write
 
 MAX_BYTES, MAX_BYTES_IN_TOTAL = 30000, 350000
 ALL = {"KeepOrder": 7}

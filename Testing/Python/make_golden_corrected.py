@@ -12,9 +12,9 @@ Values are those of the input; the decoder written from the specification agrees
 import sys
 
 import gtn_arrays
-import make_golden
 import make_golden_bounded
 import make_golden_quadratic
+from gatunGoldenFiles import make_all
 from make_golden_quadratic import Counted
 
 
@@ -29,7 +29,7 @@ def with_effort(function):
 
 if __name__ == "__main__":
     gtn_arrays.ArrayStream = Counted
-    make_golden.main(sys.argv[1], [with_effort(f) for f in make_golden_quadratic.ALL], adds=True)
+    make_all(sys.argv[1], [with_effort(f) for f in make_golden_quadratic.ALL], adds=True)
     make_golden_bounded.main(sys.argv[1], [with_effort(make_golden_bounded.bounded_quadratic)])
     print("streams by spatial and temporal mode:", Counted.modes)
     assert (5, 0) in Counted.modes and (5, 2) in Counted.modes

@@ -19,8 +19,9 @@ import numpy as np
 import gatunGolden as golden
 from describe_decoded import describe_decoded
 from gatun import vtkGatunWriter
+from gatunGolden import gm
+from gatunGoldenMeshes import add, single, wave
 from gatunTimeSource import TimeSource, connect
-from make_golden import add, cubes, gm, jitter, shuffle, single, wave
 from make_golden_series import fill, lattice
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_WEDGE
 

@@ -15,10 +15,11 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import gtn_arrays
-import make_golden
 import make_golden_bounded
 from gatunCellMeshes import hexahedra
-from make_golden import add, gm, single
+from gatunGolden import gm
+from gatunGoldenFiles import make_all
+from gatunGoldenMeshes import add, single
 from make_golden_quadratic import Counted, mesh
 
 
@@ -84,7 +85,7 @@ def bounded_plain_steps(rng):
 
 if __name__ == "__main__":
     gtn_arrays.ArrayStream = Counted
-    make_golden.main(sys.argv[1], [plain_steps, plain_hexahedra], adds=True)
+    make_all(sys.argv[1], [plain_steps, plain_hexahedra], adds=True)
     make_golden_bounded.main(sys.argv[1], [bounded_plain_steps])
     print("streams by spatial and temporal mode:", Counted.modes)
     assert (4, 2) in Counted.modes

@@ -15,9 +15,10 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import gtn_arrays
-import make_golden
 from gatunCellMeshes import hexahedra
-from make_golden import add, cubes, gm, jitter, shuffle, single
+from gatunGolden import gm
+from gatunGoldenFiles import make_all
+from gatunGoldenMeshes import add, cubes, jitter, shuffle, single
 
 
 def mesh(rng, n=7):
@@ -121,6 +122,6 @@ class Counted(gtn_arrays.ArrayStream):
 
 if __name__ == "__main__":
     gtn_arrays.ArrayStream = Counted
-    make_golden.main(sys.argv[1], ALL, adds=True)
+    make_all(sys.argv[1], ALL, adds=True)
     print("streams by spatial and temporal mode:", Counted.modes)
     assert (3, 0) in Counted.modes and (3, 2) in Counted.modes

@@ -10,9 +10,11 @@ Values are those of the input; the decoder written from the specification agrees
 
 import sys
 
-import make_golden
 import numpy as np
-from make_golden import add, cubes, gm, jitter, shuffle, single, wave
+
+from gatunGolden import gm
+from gatunGoldenFiles import make_all
+from gatunGoldenMeshes import add, cubes, jitter, shuffle, single, wave
 
 
 def decimals(values, digits):
@@ -125,4 +127,4 @@ ALL = [
 
 
 if __name__ == "__main__":
-    make_golden.main(sys.argv[1], ALL)
+    make_all(sys.argv[1], ALL)

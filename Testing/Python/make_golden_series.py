@@ -19,8 +19,9 @@ import gatunGolden as golden
 from describe_decoded import describe_decoded
 from gatun import vtkGatunWriter
 from gatunCellMeshes import hexahedra
+from gatunGolden import gm
+from gatunGoldenMeshes import add, cubes, jitter, shuffle, single, wave
 from gatunTimeSource import TimeSource, connect
-from make_golden import add, cubes, gm, jitter, shuffle, single, wave
 
 
 def lattice(rng, n):
