@@ -44,6 +44,7 @@ gatun_core_folder(Codec
     gatunPlaneCoder.h
     gatunPolygonCell.h
     gatunPolygonFront.h
+    gatunPolygonGate.h
     gatunPolygonGrowth.h
     gatunPolygonModels.h
     gatunPointContext.h

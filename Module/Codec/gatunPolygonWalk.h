@@ -14,6 +14,7 @@
 #include "gatunHexForm.h"
 #include "gatunPolygonCell.h"
 #include "gatunPolygonFront.h"
+#include "gatunPolygonGate.h"
 #include "gatunPolygonGrowth.h"
 #include "gatunPolygonModels.h"
 #include "gatunPolygonTruth.h"
@@ -53,6 +54,7 @@ public:
     , Open(mesh.GetAllVertices())
     , Models(forms.GetSize())
     , Cell(Open, mesh)
+    , Gate(Open, mesh, Cell)
     , Growth(Open, mesh)
   {
     if constexpr (OfHexahedra)
@@ -89,9 +91,6 @@ public:
   }
 
 private:
-  template <typename T>
-  using OfGate = std::conditional_t<OfHexahedra, std::array<T, 4>, std::vector<T>>;
-
   //----------------------------------------------------------------------------
   // The encoder's input
 
@@ -159,9 +158,9 @@ private:
   {
     const auto gate = this->Open.GetFace(id);
     const bool border = Coder::Encoding && !this->FindCell(gate);
-    this->Grade(gate);
-    const auto& grades = this->Grades;
-    const bool isInterface = this->GetUsers(gate) != 0;
+    this->Gate.Grade(gate);
+    const auto& grades = this->Gate.Grades;
+    const bool isInterface = this->Gate.GetUsers(gate) != 0;
     auto& model = isInterface ? this->Models.Interface(grades) : this->Models.Border(grades);
     if (this->Symbols.Bit(model, border))
     {
@@ -254,108 +253,12 @@ private:
     if (grades.Degree == 0)
     {
       const auto degree = CodeIndex(this->Symbols, Coder::Encoding ? code[0] : 0, 256);
-      this->Degrees.assign(degree, 0);
+      this->Gate.Degrees.assign(degree, 0);
     }
-    this->Models.Inline.Code(this->Symbols, this->Builder, this->Degrees, code);
+    this->Models.Inline.Code(this->Symbols, this->Builder, this->Gate.Degrees, code);
     this->Inlined = CellForm(this->Builder);
     this->Inlined->Shape = ~0u;
     this->Cell.Begin(*this->Inlined, static_cast<std::uint16_t>(this->Forms.GetSize()));
-  }
-
-  /** The other chunks that use all corners of a face. */
-  std::uint32_t GetUsers(const PolygonFront::Face& face) const
-  {
-    auto users = ~std::uint32_t{ 0 };
-    for (unsigned i = 0; i < face.Degree; ++i)
-    {
-      users &= this->Mesh.GetPlace(this->Open.GetSide(face.First + i).Corner).Users;
-    }
-    return users;
-  }
-
-  void Grade(const PolygonFront::Face& gate)
-  {
-    this->Grades = { .Degree = OfHexahedra ? 4u : unsigned{ gate.Degree } };
-    ResetValues(this->Overs, this->Grades.Degree, PolygonFront::None);
-    ResetValues(this->Angles, this->Grades.Degree, std::uint8_t{ 16 });
-    for (unsigned i = 0; i < this->Grades.Degree; ++i)
-    {
-      const auto side = gate.First + i;
-      const auto link = this->Open.GetSide(side).Over;
-      this->Overs[i] = this->Open.GetOpen(side);
-      this->Grades.MostCells = std::max(this->Grades.MostCells, link.GetCells());
-      if (this->Overs[i] == PolygonFront::None)
-      {
-        ++this->Grades.Borders;
-        this->Grades.Coplanar += this->IsCoplanar(gate, side, link.GetFar());
-      }
-    }
-    this->GradeAngles(gate);
-    for (const auto angle : this->Angles)
-    {
-      this->Grades.LeastAngle = std::min(this->Grades.LeastAngle, unsigned{ angle });
-    }
-    if constexpr (!OfHexahedra)
-    {
-      this->FindPattern(gate);
-    }
-  }
-
-  /** Grades the angles to the faces that are over the gate's sides. */
-  void GradeAngles(const PolygonFront::Face& gate)
-  {
-    if constexpr (OfHexahedra)
-    {
-      if (this->Grades.Borders == 0)
-      {
-        this->Angles = this->Cell.GradeAngles(gate, this->Overs);
-        return;
-      }
-    }
-    for (unsigned i = 0; i < this->Grades.Degree; ++i)
-    {
-      if (this->Overs[i] != PolygonFront::None)
-      {
-        this->Angles[i] =
-          static_cast<std::uint8_t>(this->Cell.GradeAngle(gate.First + i, this->Overs[i]));
-      }
-    }
-  }
-
-  /** Finds out which faces are probably glued, and of what degrees they are. */
-  void FindPattern(const PolygonFront::Face& gate)
-  {
-    auto& grades = this->Grades;
-    this->Degrees.assign(gate.Degree, 0);
-    std::array<unsigned, 3> likely{}; // triangles, quads, larger faces
-    for (unsigned i = 0; i < gate.Degree; ++i)
-    {
-      const bool isLikely = this->Angles[i] <= 5;
-      const unsigned degree = isLikely ? this->Open.GetSide(this->Overs[i]).Degree : 0u;
-      const unsigned kind = isLikely ? std::min(degree, 5u) - 2 : 0;
-      this->Degrees[i] = static_cast<std::uint8_t>(degree);
-      grades.Pattern = gate.Degree <= 4 ? grades.Pattern * 4 + kind : 0;
-      if (kind > 0)
-      {
-        likely[kind - 1] += likely[kind - 1] < 3;
-      }
-    }
-    if (gate.Degree > 4)
-    {
-      grades.Pattern = (likely[0] * 4 + likely[1]) * 4 + likely[2];
-    }
-  }
-
-  bool IsCoplanar(const PolygonFront::Face& gate, std::uint32_t side, Vertex far) const
-  {
-    if (far >= this->Mesh.GetVertices())
-    {
-      return false;
-    }
-    const auto d = ToVector(this->Mesh.GetPlace(far)) -
-      ToVector(this->Mesh.GetPlace(this->Open.GetSide(side).Corner));
-    const float height = Dot(d, gate.Normal);
-    return height * height < 0.01F * Dot(d, d);
   }
 
   //----------------------------------------------------------------------------
@@ -384,7 +287,7 @@ private:
           continue;
         }
         auto& model = this->Models.Glue(form.Family, form.GetDegree(form.Face[twin]),
-          number == 0 ? this->Angles[side] : this->Cell.GradeAngle(from, over),
+          number == 0 ? this->Gate.Angles[side] : this->Cell.GradeAngle(from, over),
           this->Open.GetSide(over).Over.GetCells(), agree,
           (number > 0) + 2 * (this->Cell.Glued.size() > 1));
         if (this->Symbols.Bit(model, Coder::Encoding && this->IsGlued(twin, over)))
@@ -593,19 +496,14 @@ private:
   PolygonFront Open;
   PolygonModels Models;
   PolygonCell<CellBuilder<Side>, Form> Cell;
+  PolygonGate<CellBuilder<Side>, Form> Gate;
   PolygonGrowth<CellBuilder<Side>, Form> Growth;
   FormBuilder Builder;
   std::optional<CellForm> Inlined; // the cell's, if it is in no table
-  GateGrades Grades;
-  bool IsUsual = false; // whether the cell is as expected at its gate
-  CellWay Way;          // of the cell
+  bool IsUsual = false;            // whether the cell is as expected at its gate
+  CellWay Way;                     // of the cell
   HexForm Hexahedron;
   std::uint16_t HexNumber = FormTable::None;
-
-  // Of each side of the gate:
-  OfGate<std::uint32_t> Overs;       // the open side over it, or None
-  OfGate<std::uint8_t> Angles;       // as GradeAngle; 16 at the border
-  std::vector<std::uint8_t> Degrees; // of the face that is probably over it, or 0
 
   std::array<std::span<const FormTable::Frame>, 256> FramesOf; // types
   std::vector<std::uint32_t> GateInput;
