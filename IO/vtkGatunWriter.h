@@ -15,9 +15,8 @@
  * lie in memory tuple by tuple are copied. String and variant arrays of points or cells are refused
  * with an error; field arrays of variants are left out with a warning.
  *
- * Cells of all types are written, also of a type that VTK does not know. Those that have a wrong
- * number of points, or points or faces that do not exist, are an error that names the cell. With
- * SplitCells, 3D cells are split into tetrahedra.
+ * Cells: those of all types, also unknown to VTK; SplitCells splits 3D cells into tetrahedra. A
+ * wrong number of points, or points or faces that do not exist, are an error that names the cell.
  *
  * Surfaces: a vtkPolyData with polygons, vertices, lines and triangle strips of any size. If more
  * than one of these lists has cells, they are copied. A surface with a hierarchy must have no
@@ -54,10 +53,9 @@
  * bytes written do not depend on their number.
  *
  * *Errors.* Reported by vtkErrorMacro with a message that begins with the file's name; Write then
- * returns 0 and GetErrorCode is one of vtkErrorCode::NoFileNameError, CannotOpenFileError (the
- * folder is missing, no permission, or a read-only file is there), OutOfDiskSpaceError,
- * UnknownError (such as too little memory, or because the input's pipeline failed or threw), or of
- * vtkGatunErrorCode.
+ * returns 0 and GetErrorCode is one of vtkErrorCode::NoFileNameError, CannotOpenFileError (no such
+ * folder, no permission, or a read-only file is there), OutOfDiskSpaceError, UnknownError (such as
+ * too little memory, or the input's pipeline failed or threw), or of vtkGatunErrorCode.
  *
  * @warning The whole mesh must fit into memory, or with NumberOfPieces the largest piece.
  * @warning Unless KeepOrder says otherwise, points and cells come back in another order.
@@ -120,8 +118,7 @@ public:
 
   ///@{
   /**
-   * Whether to write arrays that the selections do not list. Off: only those that they list and
-   * enable. Default: on.
+   * Whether to write arrays that the selections do not list, too. Default: on.
    */
   vtkSetMacro(WriteUnlistedArrays, bool);
   vtkGetMacro(WriteUnlistedArrays, bool);
@@ -130,10 +127,9 @@ public:
 
   ///@{
   /**
-   * Which original order the file keeps, so that the reader can restore it: KEEP_NONE to KEEP_ALL,
-   * or a sum of flags. Each costs file size. With KEEP_ALL every array read equals the one written.
-   * Where cells were split, ghosts dropped or quadratic cells made linear, the file keeps the
-   * order after that. Range: 0 to 7. Default: KEEP_NONE.
+   * Which original order the file keeps, for readers to restore: a sum of flags, 0 to 7, each of
+   * which costs file size. With KEEP_ALL every array read equals the one written. It is the order
+   * after cells were split, ghosts dropped or quadratic cells made linear. Default: KEEP_NONE.
    */
   vtkSetClampMacro(KeepOrder, int, KEEP_NONE, KEEP_ALL);
   vtkGetMacro(KeepOrder, int);
@@ -156,8 +152,7 @@ public:
 
   ///@{
   /**
-   * Lets the values of an array have an error: "NAME=abs:0.01", where NAME is the name of an array,
-   * or
+   * Lets the values of an array have an error: "NAME=abs:0.01", where NAME is that of an array, or
    * "*" for all arrays of floating-point numbers that have no error of their own. What follows is
    * - abs:E, every value differs by at most E, above 0, in its own units;
    * - rel:E, by at most E, above 0 and at most 1, times the range of the finite values of the
@@ -185,9 +180,8 @@ public:
 
   ///@{
   /**
-   * Number of time steps from one key step, which is stored without reference to the step before,
-   * to the next, 1 or more. With a small number the reader jumps to any step faster; with a large
-   * one files are smaller. Default: 8.
+   * Interval of key steps, which are stored without reference to the step before, in time steps, 1
+   * or more. A short one makes jumps to any step faster, a long one files smaller. Default: 8.
    */
   vtkSetClampMacro(KeyStepInterval, int, 1, VTK_INT_MAX);
   vtkGetMacro(KeyStepInterval, int);
@@ -219,11 +213,10 @@ public:
 
   ///@{
   /**
-   * Largest number of base meshes to store with the hierarchy, 0 to 64. They have a half of the
-   * points, a quarter, an eighth and so on, as long as more than 20,000 tetrahedra, or cells of a
-   * surface, remain. With base meshes, the cost of a coarse mesh is that of a mesh with at most
-   * twice as many points. Together they make the file up to twice as large. No effect if Hierarchy
-   * is off. Default: 0.
+   * Largest number of base meshes to store with the hierarchy, 0 to 64: with a half of the points,
+   * a quarter and so on, as long as more than 20,000 tetrahedra, or cells of a surface, remain. A
+   * coarse mesh then costs as much as one with at most twice as many points. Together they make the
+   * file up to twice as large. No effect if Hierarchy is off. Default: 0.
    */
   vtkSetClampMacro(Levels, int, 0, 64);
   vtkGetMacro(Levels, int);
@@ -231,10 +224,9 @@ public:
 
   ///@{
   /**
-   * Whether to store with the hierarchy which merges depend on which, so that programs that
-   * simplify the mesh more in some places than in others need not decode it to find out. This takes
-   * 3 to 5 bits a tetrahedron, and about a second of one processor and 140 MB of memory for a
-   * million of them. No effect if Hierarchy is off. Default: on.
+   * Whether to store with the hierarchy which merges depend on which, so that the mesh need not be
+   * decoded to simplify some places more than others. A million tetrahedra take 3 to 5 bits each,
+   * about a second of one processor and 140 MB of memory. No effect without Hierarchy. Default: on.
    */
   vtkSetMacro(WriteDependencies, bool);
   vtkGetMacro(WriteDependencies, bool);
@@ -243,11 +235,10 @@ public:
 
   ///@{
   /**
-   * Whether to store the boundary of the mesh, too, with all arrays and time steps, so that readers
-   * can show it without decoding the mesh (vtkGatunMeshReader::OnDemand): the faces that only one
-   * 3D cell has, and the cells of a lower dimension. Nonlinear cells have the faces of the linear
-   * ones with their corners. The mesh must be in one piece and one process; surfaces are refused.
-   * Default: off.
+   * Whether to store the boundary of the mesh with all arrays and time steps, which readers can
+   * show without decoding the mesh (vtkGatunMeshReader::OnDemand): the faces that only one 3D cell
+   * has (of nonlinear cells, the linear faces with their corners), and the cells of a lower
+   * dimension. The mesh must be in one piece and one process; surfaces are refused. Default: off.
    */
   vtkSetMacro(WriteBoundary, bool);
   vtkGetMacro(WriteBoundary, bool);
@@ -281,11 +272,10 @@ public:
 
   ///@{
   /**
-   * Point array by whose values, at the first time step, the file is organized. The range of the
-   * values is cut into layers, and tetrahedra of the same layers are put into the same chunks. An
-   * isosurface then needs few chunks. The file becomes larger with the number of layers. Base
-   * meshes are organized in the same way. Empty or null: the file is organized by position only.
-   * Default: null.
+   * Point array whose range of values, at the first time step, is cut into layers. Tetrahedra of
+   * the same layers are put into the same chunks, so that an isosurface needs few of them. The file
+   * and its base meshes are organized in this way, and become larger with the number of layers.
+   * Empty or null: the file is organized by position only. Default: null.
    */
   vtkSetStringMacro(LayerArray);
   vtkGetStringMacro(LayerArray);
@@ -311,9 +301,8 @@ public:
 
   ///@{
   /**
-   * Spacing of the layers: equal parts of the range, the quantiles of the normal distribution with
-   * the mean and deviation of the values, or about the same number of tetrahedra in each layer.
-   * Default: LAYERS_HISTOGRAM.
+   * Layers are equal parts of the range, quantiles of the normal distribution with the mean and
+   * deviation of the values, or have about equal numbers of tetrahedra. Default: LAYERS_HISTOGRAM.
    */
   enum LayerSpacingType
   {
@@ -330,9 +319,8 @@ public:
 
   ///@{
   /**
-   * Weight of a point array for the hierarchy relative to that of other arrays, 0 or more. If no
-   * weight is set, the active scalars count, or all point arrays equally if there are no active
-   * scalars.
+   * Weight of a point array for the hierarchy relative to that of others, 0 or more. If none is
+   * set, the active scalars count, or without active scalars all point arrays equally.
    */
   void SetArrayWeight(const char* name, double weight);
   double GetArrayWeight(const char* name);
@@ -352,10 +340,9 @@ public:
   ///@{
   /**
    * Whether to write tetrahedra in place of the cells, with warnings: 3D cells are split
-   * (Documentation/cells.md), nonlinear ones after they have lost the points between their corners,
-   * and all other cells are left out. The cell array OriginalCellIds then tells the cell of the
-   * input (an array of that name is kept as it is), and global ids of cells lose that role, being
-   * no longer unique. Default: off.
+   * (Documentation/cells.md), nonlinear ones by their corners alone, and all other cells are left
+   * out. The cell array OriginalCellIds tells the cell of the input (an array of that name is kept
+   * as it is), and global ids of cells, no longer unique, lose that role. Default: off.
    */
   vtkSetMacro(SplitCells, bool);
   vtkGetMacro(SplitCells, bool);
@@ -411,10 +398,9 @@ public:
 
   ///@{
   /**
-   * The processes that write the file together, each one the piece of the input that it has. All
-   * must have an input and the same options, and call Write. Null: this process alone. Default:
-   * null, and not the global controller, so that one process of a program may write by itself.
-   * ParaView's Save Data uses the global one.
+   * The processes that write the file together, each one its piece of the input. All must have an
+   * input and the same options, and call Write. Null: this process alone. Default: null, not the
+   * global controller as in ParaView's Save Data, so that one process may write by itself.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -470,28 +456,23 @@ public:
   vtkBooleanMacro(ReplaceReadOnly, bool);
   ///@}
 
-  /**
-   * Writes the file, even if nothing has changed since it was last written. Returns 1 on success
-   * and 0 on failure; GetErrorCode then gives the reason.
-   */
-  int Write() override;
-
   ///@{
   /**
-   * The same as Write.
+   * Writes the file, even if nothing has changed since it was last written. Write returns 1 on
+   * success and 0 on failure; GetErrorCode then gives the reason.
    */
+  int Write() override;
   void Update() override;
   void Update(int port) override;
   ///@}
 
   ///@{
   /**
-   * Statistics of the last file written: number of points and cells of all of its meshes, number of
-   * meshes (1 unless the mesh changes over time) and time steps (1 without time), size of the file,
-   * and size of its parts: of the first mesh connectivity, coordinates, original order, point and
-   * cell arrays, field data, hierarchy, its dependencies, base meshes and boundary; the other
-   * meshes with all of this; and headers and tables. Sizes are in bytes and those of the parts add
-   * up to that of the file. 0 before the first file.
+   * Statistics of the last file written: number of points and cells of all of its meshes, of meshes
+   * (1 unless the mesh changes over time) and of time steps (1 without time); bytes of the file and
+   * of its parts, which add up to it: of the first mesh connectivity, coordinates, original order,
+   * point and cell arrays, field data, hierarchy, its dependencies, base meshes and boundary; the
+   * other meshes with all of this; headers and tables. 0 before the first file.
    */
   vtkGetMacro(WrittenPoints, vtkTypeUInt64);
   vtkGetMacro(WrittenCells, vtkTypeUInt64);
@@ -533,9 +514,7 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  /**
-   * Not used: RequestData does the work, a time step a call.
-   */
+  /** Not used: RequestData does the work, a time step a call. */
   void WriteData() override {}
 
   char* FileName = nullptr;
