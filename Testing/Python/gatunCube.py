@@ -4,22 +4,22 @@
 """A cube of tetrahedra as arrays, and what tests of the package's functions share."""
 
 import os
+import pathlib
+import sys
 
 import numpy as np
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "Examples" / "Python"))
+
+import shapes  # noqa: E402  (in the folder just added)
 
 N = 9
 
 
 def make_cube(n=N):
-    """Points from 0 to 1 and tetrahedra, six for each of the cells."""
-    x = np.linspace(0, 1, n)
-    points = np.stack(np.meshgrid(x, x, x, indexing="ij"), axis=-1).reshape(-1, 3)
-    ids = np.arange(n**3).reshape(n, n, n)
-    ends = (slice(None, -1), slice(1, None))
-    corners = [ids[a, b, c].ravel() for a in ends for b in ends for c in ends]
-    around = [(1, 3), (3, 2), (2, 6), (6, 4), (4, 5), (5, 1)]
-    tets = [np.stack([corners[i] for i in (0, p, q, 7)], axis=1) for p, q in around]
-    return points, np.concatenate(tets)
+    """The cube of the examples, with points from 0 to 1."""
+    points, tets = shapes.make_cube(n)
+    return (points + 1) / 2, tets
 
 
 def find(name):

@@ -5,22 +5,20 @@
 checksums that are right again."""
 
 import struct
+import sys
 
 import xxhash
 import zstandard
+
+from soakContext import ROOT
+
+sys.path.append(str(ROOT / "Testing" / "Python"))
+from gtn_hostile import varint  # pylint: disable=wrong-import-position
 
 HEADER, SECTION, TRAILER = 16, 24, 32
 MAGICS = {bytes.fromhex("8947544E0D0A1A0A"): b"GTNEND\r\n", b"\x89GHV\r\n\x1a\n": b"GHVEND\r\n"}
 EMBEDDED = (b"LEVL", b"BNDY", b"GRID")  # whole files
 UNKNOWN = b"ROOM"
-
-
-def varint(number):
-    encoded = bytearray()
-    while number >= 128:
-        encoded.append(number & 127 | 128)
-        number >>= 7
-    return bytes(encoded) + bytes([number])
 
 
 def unpack(packed):
