@@ -73,7 +73,6 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "KeepOrder: " << this->KeepOrder << "\n";
   os << indent << "ChunkTets: " << this->ChunkTets << "\n";
   os << indent << "KeyStepInterval: " << this->KeyStepInterval << "\n";
-  os << indent << "Effort: " << this->Effort << "\n";
   os << indent << "Errors:";
   for (const std::string& error : this->Internals->Errors)
   {

@@ -189,18 +189,6 @@ public:
 
   ///@{
   /**
-   * How much time the values of arrays may take, 0 or 1. 1: each part of an array is also encoded
-   * by a quadratic function that is corrected by its errors at neighbors, and is stored so if that
-   * makes it clearly smaller. A smooth array of floats becomes about a tenth smaller; its values
-   * take about 1.6 times as long to decode, some 100 ns more for each tetrahedron, most of which
-   * all arrays of the file share. Default: 0.
-   */
-  vtkSetClampMacro(Effort, int, 0, 1);
-  vtkGetMacro(Effort, int);
-  ///@}
-
-  ///@{
-  /**
    * Whether to store a hierarchy, so that the mesh can be read and drawn with any number of points
    * (vtkGatunReader::SimplificationRatio, vtkGatunVolumeMapper): the order in which
    * vtkGatunSimplify merges points, for the values of the first time step. This takes the time and
@@ -522,7 +510,6 @@ protected:
   int KeepOrder = KEEP_NONE;
   int ChunkTets = 0;
   int KeyStepInterval = 8;
-  int Effort = 0;
   bool KeepZeros = false;
   bool Hierarchy = false;
   int Levels = 0;

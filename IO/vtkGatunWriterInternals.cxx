@@ -101,7 +101,6 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(vtkUnstructuredGr
   options.Keep = static_cast<std::uint8_t>(this->Owner->KeepOrder);
   options.ChunkTets = static_cast<std::uint32_t>(this->Owner->ChunkTets);
   options.KeyStepInterval = static_cast<std::uint32_t>(this->Owner->KeyStepInterval);
-  options.Effort = static_cast<unsigned>(this->Owner->Effort);
   options.ReplaceReadOnly = this->Owner->ReplaceReadOnly;
   options.IsSurface = this->IsSurface.value_or(false);
   options.PointsMove = this->PointsMove;

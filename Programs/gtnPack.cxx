@@ -52,7 +52,6 @@ struct Options
   std::string KeepOrder = "none";
   int ChunkTets = 0;
   int KeySteps = 8;
-  int Effort = 0;
   bool Hierarchy = false;
   int Levels = 0;
   bool NoDependencies = false;
@@ -223,7 +222,6 @@ void Pack(const Options& options, const Settings& settings)
   writer->SetKeepOrder(OrderOf(options.KeepOrder));
   writer->SetChunkTets(options.ChunkTets);
   writer->SetKeyStepInterval(options.KeySteps);
-  writer->SetEffort(options.Effort);
   writer->WriteAllTimeStepsOn();
   writer->SetHierarchy(options.Hierarchy || options.Levels > 0);
   writer->SetLevels(options.Levels);
@@ -291,13 +289,6 @@ void AddPack(CLI::App& app, Settings& settings)
       "Interval of key steps, which are coded independently of other time steps, 1 to 1000000 "
       "(default: 8)")
     ->check(CLI::Range(1, 1000000))
-    ->option_text("N");
-  command
-    ->add_option("--effort", options->Effort,
-      "1 makes smooth arrays smaller, but they take longer to pack and to read: a slower "
-      "prediction "
-      "of values is tried, too. 0 to 1 (default: 0)")
-    ->check(CLI::Range(0, 1))
     ->option_text("N");
   command->add_flag("--hierarchy", options->Hierarchy,
     "Store a hierarchy of edge collapses, so that the mesh can be read and rendered at any level "

@@ -378,7 +378,7 @@ std::vector<Bytes> StepSection::EncodeBlock(const WriterPart& part, std::size_t 
     {
       if (!fit)
       {
-        fit.emplace(GetPlaces(part.Mesh.GetMesh(), points), this->State.Options.Effort > 0);
+        fit.emplace(GetPlaces(part.Mesh.GetMesh(), points));
       }
       auto keys = inputs[a].GetKeys(points);
       streams[a] = EncodeCellValues({ {}, &*fit }, inputs[a].Domains, keys, inputs[a].GetMargin());
@@ -446,12 +446,11 @@ std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
   const FloatEnvironment guard;
   auto& step = this->GetStep();
   auto& state = part.Chunks[chunk];
-  const bool withCorrections = this->State.Options.Effort > 0;
-  state.Mesh.MakeContext(step.HasValues(Association::Point), withCorrections);
+  state.Mesh.MakeContext(step.HasValues(Association::Point));
   std::optional<QuadraticFit> cellFit;
   if (step.HasValues(Association::Cell))
   {
-    cellFit.emplace(state.Mesh.FitCells(withCorrections));
+    cellFit.emplace(state.Mesh.FitCells());
   }
   const CellContext cells{ state.Mesh.Walk.Parents, cellFit ? &*cellFit : nullptr };
   std::vector<Bytes> streams;

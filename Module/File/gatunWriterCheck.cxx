@@ -95,10 +95,6 @@ void CheckWriterInput(
   {
     ThrowInvalid("the interval of key steps must be at least 1");
   }
-  if (options.Effort > 1)
-  {
-    ThrowInvalid("the effort must be 0 or 1, not " + std::to_string(options.Effort));
-  }
   if (options.Keep > KeepAll)
   {
     ThrowInvalid("the order to keep is unknown");

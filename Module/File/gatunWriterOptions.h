@@ -27,10 +27,6 @@ struct WriterOptions
   /** The interval of time steps that are coded independently of their predecessor, 1 or more. */
   std::uint32_t KeyStepInterval = 8;
 
-  /** 1: also tries the prediction by a corrected quadratic function, which makes smooth arrays
-   * smaller and takes longer to encode and to decode. 0: does not. */
-  unsigned Effort = 0;
-
   /** Whether each time step has coordinates of its own (FileWriter::WriteStep). The cells stay the
    * same. Not possible for a mesh that comes in parts. */
   bool PointsMove = false;

@@ -271,7 +271,6 @@ def write(
     times: Iterable[float] | bool | None = None,
     chunk_tets: int = 0,
     key_step_interval: int = 8,
-    effort: int = 0,
     quality: float | None = None,
     rms_error: float | None = None,
     psnr: float | None = None,
@@ -311,7 +310,6 @@ def write(
             algorithm that has time steps, True to write all of them.
         chunk_tets: largest number of tetrahedra in a chunk, 64 to 1048576, or 0 (automatic).
         key_step_interval: number of time steps from one that needs no other step to the next.
-        effort: 1 makes smooth arrays smaller, but they take longer to write and to read. 0 or 1.
         quality, rms_error, psnr, bits_per_voxel: for volumes, one of these: quality from 1 to 100
             (default: 60), largest root mean square error (0: lossless), least peak signal-to-noise
             ratio in dB, or size.
@@ -355,5 +353,4 @@ def write(
     writer.SetSplitCells(bool(split_cells))
     set_property(writer, "chunk_tets", "ChunkTets", chunk_tets)
     set_property(writer, "key_step_interval", "KeyStepInterval", key_step_interval)
-    set_property(writer, "effort", "Effort", effort)
     return _run(writer, _connect(writer, data, times, arrays))

@@ -138,7 +138,7 @@ int TestReaderInterface(int argc, char* argv[])
       "ValueRange", "MemoryBudget", "CachedBytes", "DecodedChunks", "BytesRead",
       "PointDataArraySelection", "CellDataArraySelection" });
   CheckPrinted(writer,
-    { "FileName", "WriteUnlistedArrays", "KeepOrder", "ChunkTets", "KeyStepInterval", "Effort",
+    { "FileName", "WriteUnlistedArrays", "KeepOrder", "ChunkTets", "KeyStepInterval",
       "WriteAllTimeSteps", "SplitCells", "WrittenPoints", "WrittenCells", "WrittenSteps",
       "FileBytes", "ConnectivityBytes", "GeometryBytes", "OrderBytes", "ArrayBytes",
       "FieldDataBytes", "DirectoryBytes", "PointDataArraySelection", "CellDataArraySelection" });

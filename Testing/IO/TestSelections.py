@@ -85,20 +85,11 @@ for value, expected in ((-5, 0), (0, 0), (1, 64), (64, 64), (5000, 5000), (1 << 
 for value, expected in ((0, 1), (5, 5)):
     writer.SetKeyStepInterval(value)
     assert writer.GetKeyStepInterval() == expected
-for value, expected in ((-1, 0), (1, 1), (2, 1), (0, 0)):
-    writer.SetEffort(value)
-    assert writer.GetEffort() == expected
 for setter, expected in ((writer.SetKeepOrderToPoints, 1), (writer.SetKeepOrderToCells, 2),
                          (writer.SetKeepOrderToPointsAndCells, 3), (writer.SetKeepOrderToAll, 7),
                          (writer.SetKeepOrderToNone, 0)):
     setter()
     assert writer.GetKeepOrder() == expected
-
-# Effort makes smooth arrays smaller, and they come back.
-smooth = gm.block(n=16)
-usual = gm.write(smooth, path, KeepOrder=7).GetArrayBytes()
-assert gm.write(smooth, path, KeepOrder=7, Effort=1).GetArrayBytes() < usual
-gm.assert_same_mesh(smooth, gm.read(path))
 
 # Statistics add up.
 writer = gm.write(grid, path, KeepOrder=7)

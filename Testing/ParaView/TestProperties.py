@@ -16,7 +16,7 @@ from paraview import servermanager
 simple = load_plugin()
 folder = sys.argv[1]
 # What a property is set to, to see whether that arrives.
-OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3], "Effort": [1],
+OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
          "ValueRangeComponent": [2], "Box": [6, 5, 4, 3, 2, 1], "ValueRange": [-4, 9],
          "ValueRangeArray": ["some array"], "FileName": ["some file"],
          "OnDemand": [1], "LargeMesh": [6000000000], "SampleDistance": [0.25], "BlendMode": [101],
@@ -162,7 +162,7 @@ assert {proxy.get("class") for _, proxy in proxies} >= \
 path = sample.temporary("properties.gtn")
 writer = simple.CreateWriter(path, sample.make_source())
 for prop in ("KeepOrder", "ChunkTets", "SplitCells", "ReplaceReadOnly", "FileName",
-             "ChooseArraysToWrite", "WriteAllTimeSteps", "KeyStepInterval", "Effort", "NumberOfPieces",
+             "ChooseArraysToWrite", "WriteAllTimeSteps", "KeyStepInterval", "NumberOfPieces",
              "SpillMemory", "SpillFolder", "JoinAllPoints", "PointError", "RelativePointError",
              "PointBits", "ArrayErrors", "KeepZeros"):
     assert writer.GetProperty(prop) is not None, prop

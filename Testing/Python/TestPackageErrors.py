@@ -86,7 +86,6 @@ refused = [
     (ValueError, "layers", {"layers": ("value", 9999)}),
     (ValueError, "chunk_tets", {"chunk_tets": 3}),
     (ValueError, "key_step_interval", {"key_step_interval": 0}),
-    (ValueError, "effort", {"effort": 2}),
     (ValueError, "quality", {"quality": 50}),
 ]
 for kind, text, options in refused:

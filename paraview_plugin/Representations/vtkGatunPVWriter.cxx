@@ -118,7 +118,6 @@ int vtkGatunPVWriter::WriteWhole(const std::string& name)
     writer->SetKeepOrder(order);
     writer->SetChunkTets(this->ChunkTets);
     writer->SetKeyStepInterval(this->KeyStepInterval);
-    writer->SetEffort(this->Effort);
     writer->SetHierarchy(hasTree);
     writer->SetLevels(this->Levels);
     writer->SetWriteDependencies(this->WriteDependencies);

@@ -266,35 +266,6 @@ TEST(File, EveryTimeStepIsReachedInAnyOrder)
   EXPECT_TRUE(VerifyFile(*file));
 }
 
-TEST(File, EffortMakesSmoothValuesSmaller)
-{
-  const auto mesh = MakeCubes(16, 0.2);
-  WriterOptions options;
-  options.ChunkTets = 12000;
-  options.Keep = KeepAll;
-  const auto path = TempPath("effort.gtn");
-  Write(path, mesh, options, 3);
-  const auto size = std::filesystem::file_size(path);
-  options.Effort = 1;
-  Write(path, mesh, options, 3);
-  EXPECT_LT(std::filesystem::file_size(path), size);
-  const auto file = std::make_shared<FileReader>(path);
-  PieceDecoder decoder(file);
-  for (const std::size_t step : { 0, 1, 2, 0 })
-  {
-    auto request = AskForAll(*file);
-    request.Step = step;
-    const Piece all(decoder, request);
-    const Values values(mesh, 0.25 * static_cast<double>(step));
-    EXPECT_EQ(all.Field, values.Field) << "step " << step;
-    EXPECT_EQ(all.Vector, values.Vector) << "step " << step;
-    EXPECT_EQ(all.Material, values.Material) << "step " << step;
-  }
-  EXPECT_TRUE(VerifyFile(*file));
-  options.Effort = 2;
-  EXPECT_THROW(Write(path, mesh, options), Error);
-}
-
 TEST(File, HoldsEmptyMeshesAndUnusedPoints)
 {
   TestMesh mesh = MakeCubes(2, 0.1);
