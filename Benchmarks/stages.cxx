@@ -161,7 +161,7 @@ void Stages::DecodeBlocks()
         const auto& stream = this->Blocks[b].Arrays[a];
         if (!fit && gatun::IsQuadratic(gatun::ArrayModes::Read(stream).Spatial))
         {
-          fit.emplace(gatun::GetPlaces(this->BlockPoints.back(), this->Content.Domains), true);
+          fit.emplace(gatun::GetPlaces(this->BlockPoints.back(), this->Content.Domains));
         }
         gatun::DecodeCellValues(
           stream, { {}, fit ? &*fit : nullptr }, this->Content.MakeDomains(a, 0), arrays[a]);
@@ -221,17 +221,14 @@ void Stages::FitNeighbors()
     {
       mesh.Fit.emplace(mesh.Walk, mesh.GetPlaces());
     }
-    const auto isCorrected = [](auto mode)
-    { return mode == gatun::SpatialMode::CorrectedQuadratic; };
     if (isUsed(gatun::IsQuadratic, gatun::Association::Point))
     {
-      mesh.Quadratic.emplace(
-        mesh.Walk, mesh.GetPlaces(), isUsed(isCorrected, gatun::Association::Point));
+      mesh.Quadratic.emplace(mesh.Walk, mesh.GetPlaces());
     }
     this->CellFits.emplace_back();
     if (isUsed(gatun::IsQuadratic, gatun::Association::Cell))
     {
-      this->CellFits.back().emplace(mesh.FitCells(isUsed(isCorrected, gatun::Association::Cell)));
+      this->CellFits.back().emplace(mesh.FitCells());
     }
     mesh.MakeContext(false);
   }

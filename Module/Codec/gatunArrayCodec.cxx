@@ -341,10 +341,7 @@ bool HaveBefore(std::span<const ComponentKeys> components)
 /** How slowly streams of a mode are decoded. */
 int GetSlowness(SpatialMode mode)
 {
-  return mode == SpatialMode::CorrectedQuadratic ? 3
-    : mode == SpatialMode::Quadratic             ? 2
-    : mode == SpatialMode::PlainQuadratic        ? 1
-                                                 : 0;
+  return mode == SpatialMode::Quadratic ? 2 : mode == SpatialMode::PlainQuadratic ? 1 : 0;
 }
 
 /** Whether a stream of this size, with these modes, is to replace another one. */
@@ -399,27 +396,6 @@ Bytes EncodeBest(std::span<const SpatialMode> spatial, std::span<const Domain> d
   return best;
 }
 
-/** Adds the modes that a fit allows. They are last, because each must beat all faster ones by a
- * margin. */
-void AddQuadraticModes(const QuadraticFit* fit, std::vector<SpatialMode>& modes)
-{
-  if (fit)
-  {
-    modes.insert(modes.end(), { SpatialMode::PlainQuadratic, SpatialMode::Quadratic });
-  }
-  if (fit && fit->HasCorrections())
-  {
-    modes.push_back(SpatialMode::CorrectedQuadratic);
-  }
-}
-
-/** Whether a fit, or none, is enough for a mode. */
-bool IsEnough(const QuadraticFit* fit, SpatialMode mode)
-{
-  return !IsQuadratic(mode) ||
-    (fit && (mode != SpatialMode::CorrectedQuadratic || fit->HasCorrections()));
-}
-
 void CheckBefore(const ArrayModes& modes, std::span<const ComponentKeys> components)
 {
   if (modes.Temporal != TemporalMode::None && !HaveBefore(components))
@@ -432,7 +408,7 @@ void CheckBefore(const ArrayModes& modes, std::span<const ComponentKeys> compone
 //------------------------------------------------------------------------------
 ArrayModes ArrayModes::Read(std::span<const std::uint8_t> stream)
 {
-  if (stream.size() < 2 || stream[0] > 5 || stream[1] > 2)
+  if (stream.size() < 2 || stream[0] > 4 || stream[1] > 2)
   {
     ThrowCorrupt("an array's stream has an unknown mode");
   }
@@ -453,7 +429,11 @@ Bytes EncodePointValues(const PointContext& context, std::span<const Domain> dom
   {
     modes.insert(modes.begin(), SpatialMode::Fit);
   }
-  AddQuadraticModes(context.Quadratic, modes);
+  if (context.Quadratic)
+  {
+    // Last, because each must beat all faster ones by a margin.
+    modes.insert(modes.end(), { SpatialMode::PlainQuadratic, SpatialMode::Quadratic });
+  }
   return EncodeBest(modes, domains, components, margin,
     [&](EntropyEncoder& coder, const ArrayModes& chosen, std::span<ComponentKeys> keys)
     { CodePointComponents(coder, chosen, context, domains, keys); });
@@ -465,7 +445,7 @@ void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext&
   const auto modes = ArrayModes::Read(stream);
   CheckBefore(modes, components);
   if ((modes.Spatial == SpatialMode::Fit && !context.Fit) ||
-    !IsEnough(context.Quadratic, modes.Spatial))
+    (IsQuadratic(modes.Spatial) && !context.Quadratic))
   {
     ThrowCorrupt("a stream needs neighbors that are not there");
   }
@@ -481,7 +461,10 @@ Bytes EncodeCellValues(const CellContext& context, std::span<const Domain> domai
   {
     modes.push_back(SpatialMode::Gate);
   }
-  AddQuadraticModes(context.Quadratic, modes);
+  if (context.Quadratic)
+  {
+    modes.insert(modes.end(), { SpatialMode::PlainQuadratic, SpatialMode::Quadratic });
+  }
   return EncodeBest(modes, domains, components, margin,
     [&](EntropyEncoder& coder, const ArrayModes& chosen, std::span<ComponentKeys> keys)
     { CodeCellComponents(coder, chosen, context, domains, keys); });
@@ -494,7 +477,7 @@ void DecodeCellValues(std::span<const std::uint8_t> stream, const CellContext& c
   CheckBefore(modes, components);
   if (modes.Spatial == SpatialMode::Fit ||
     (modes.Spatial == SpatialMode::Gate && context.IsBlock()) ||
-    !IsEnough(context.Quadratic, modes.Spatial))
+    (IsQuadratic(modes.Spatial) && !context.Quadratic))
   {
     ThrowCorrupt("a stream needs places around it that are not there");
   }

@@ -462,7 +462,7 @@ std::vector<std::array<double, 3>> ChunkMesh::GetPlaces() const
 }
 
 //------------------------------------------------------------------------------
-QuadraticFit ChunkMesh::FitCells(bool withCorrections) const
+QuadraticFit ChunkMesh::FitCells() const
 {
   const bool areTets = this->Cells.Types.empty();
   std::vector<std::uint32_t> starts, corners;
@@ -473,12 +473,11 @@ QuadraticFit ChunkMesh::FitCells(bool withCorrections) const
   }
   starts.push_back(static_cast<std::uint32_t>(corners.size()));
   return gatun::FitCells(areTets ? std::span<const std::uint32_t>(starts) : this->Cells.Starts,
-    areTets ? std::span<const std::uint32_t>(corners) : this->Cells.Corners, this->GetPlaces(),
-    withCorrections);
+    areTets ? std::span<const std::uint32_t>(corners) : this->Cells.Corners, this->GetPlaces());
 }
 
 //------------------------------------------------------------------------------
-void ChunkMesh::MakeContext(bool withFits, bool withCorrections)
+void ChunkMesh::MakeContext(bool withFits)
 {
   this->Context.Mesh = &this->Walk;
   this->Context.Rules = &this->Rules;
@@ -500,7 +499,7 @@ void ChunkMesh::MakeContext(bool withFits, bool withCorrections)
     const FloatEnvironment guard;
     const auto places = this->GetPlaces();
     this->Fit.emplace(this->Walk, places);
-    this->Quadratic.emplace(this->Walk, places, withCorrections);
+    this->Quadratic.emplace(this->Walk, places);
   }
   this->Context.Fit = this->Fit ? &*this->Fit : nullptr;
   this->Context.Quadratic = this->Quadratic ? &*this->Quadratic : nullptr;

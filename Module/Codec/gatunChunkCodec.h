@@ -65,15 +65,14 @@ struct ChunkMesh
   /** The coordinates of all vertices. */
   std::vector<std::array<double, 3>> GetPlaces() const;
 
-  /** Prepares the context of point arrays, with weights of neighbors if withFits, and with those of
-   * the mode CorrectedQuadratic if withCorrections. */
-  void MakeContext(bool withFits, bool withCorrections = false);
+  /** Prepares the context of point arrays, with weights of neighbors if withFits. */
+  void MakeContext(bool withFits);
   PointContext Context;
   std::optional<NeighborFit> Fit;
   std::optional<QuadraticFit> Quadratic;
 
   /** The weights of the cells around each cell. The calling thread must have a FloatEnvironment. */
-  QuadraticFit FitCells(bool withCorrections = false) const;
+  QuadraticFit FitCells() const;
 };
 
 /** The coordinates of points. */

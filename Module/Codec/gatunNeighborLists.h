@@ -28,9 +28,6 @@ public:
   /** The length of a list. Centers deep in a mesh have full lists. */
   static constexpr std::size_t MaxNeighbors = 24;
 
-  /** The number of the nearest ones by whose errors a prediction is corrected. */
-  static constexpr std::size_t MaxCorrecting = 16;
-
   /** The length of a list of cells, which are more than vertices. */
   static constexpr std::size_t MaxCells = 16;
 

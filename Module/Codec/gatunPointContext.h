@@ -25,15 +25,13 @@ enum class SpatialMode : std::uint8_t
   Gate = 1,      ///< points: the rule that predicted the coordinates; cells: the parent tetrahedron
   Fit = 2,       ///< points: a linear function fitted to the known neighbors
   Quadratic = 3, ///< a quadratic and a linear function, and the rule of Gate, blended
-  PlainQuadratic = 4,    ///< the quadratic function alone
-  CorrectedQuadratic = 5 ///< as Quadratic, and the quadratic function corrected by its errors
+  PlainQuadratic = 4 ///< the quadratic function alone
 };
 
-/** Whether a mode needs a QuadraticFit; CorrectedQuadratic needs one with corrections. */
+/** Whether a mode needs a QuadraticFit. */
 constexpr bool IsQuadratic(SpatialMode mode)
 {
-  return mode == SpatialMode::Quadratic || mode == SpatialMode::PlainQuadratic ||
-    mode == SpatialMode::CorrectedQuadratic;
+  return mode == SpatialMode::Quadratic || mode == SpatialMode::PlainQuadratic;
 }
 
 /** Use of the values of the previous time step. */

@@ -87,7 +87,7 @@ void CodeByPredictor(
 }
 
 /**
- * Codes one component by one of the quadratic modes. Changes are predicted as values are,
+ * Codes one component by the mode Quadratic or PlainQuadratic. Changes are predicted as values are,
  * by the changes at neighbors. places: OwnPoints or AllPlaces. values: ExactValues or
  * BoundedValues.
  */
@@ -98,10 +98,6 @@ void CodeQuadratic(Coder& coder, SpatialMode spatial, TemporalMode temporal, con
   if (spatial == SpatialMode::Quadratic)
   {
     CodeByPredictor<QuadraticPredictor>(coder, temporal, places, values, keys);
-  }
-  else if (spatial == SpatialMode::CorrectedQuadratic)
-  {
-    CodeByPredictor<CorrectedPredictor>(coder, temporal, places, values, keys);
   }
   else
   {

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <numeric>
 
@@ -19,8 +18,8 @@ namespace
 using Places = NeighborLists::Places;
 
 /** Sets a lane to the offsets of neighbors from the center, of which the mean square is 1. If that
- * cannot be, all are 0. Returns what they were multiplied by, or 0. */
-double SetLane(QuadraticLanes& lanes, std::size_t lane, const std::array<double, 3>& center,
+ * cannot be, all are 0. */
+void SetLane(QuadraticLanes& lanes, std::size_t lane, const std::array<double, 3>& center,
   std::span<const Vertex> neighbors, std::span<const std::uint8_t> isShared, Places places)
 {
   double sum = 0;
@@ -51,24 +50,11 @@ double SetLane(QuadraticLanes& lanes, std::size_t lane, const std::array<double,
   lanes.PerNeighbor[lane] = 3 / count;
   lanes.Equal[lane] = 1 / count;
   lanes.Neighbors = std::max(lanes.Neighbors, neighbors.size());
-  return isUsable ? scale : 0;
-}
-
-double GetSquare(
-  const std::array<double, 3>& place, const std::array<double, 3>& center, double scale)
-{
-  double sum = 0;
-  for (unsigned k = 0; k < 3; ++k)
-  {
-    const double d = (place[k] - center[k]) * scale;
-    sum += d * d;
-  }
-  return sum;
 }
 }
 
 //------------------------------------------------------------------------------
-QuadraticFit::QuadraticFit(const Topology& topology, Places places, bool withCorrections)
+QuadraticFit::QuadraticFit(const Topology& topology, Places places)
 {
   std::vector<Vertex> centers;
   std::vector<std::uint8_t> isShared(places.size());
@@ -81,20 +67,18 @@ QuadraticFit::QuadraticFit(const Topology& topology, Places places, bool withCor
       centers.push_back(v);
     }
   }
-  this->FindWeights(
-    NeighborLists::OfWalk(topology, places), places, centers, isShared, withCorrections);
+  this->FindWeights(NeighborLists::OfWalk(topology, places), places, centers, isShared);
 }
 
-QuadraticFit::QuadraticFit(const NeighborLists& lists, Places places, bool withCorrections)
+QuadraticFit::QuadraticFit(const NeighborLists& lists, Places places)
 {
   std::vector<Vertex> centers(places.size());
   std::iota(centers.begin(), centers.end(), 0u);
-  this->FindWeights(
-    lists, places, centers, std::vector<std::uint8_t>(places.size()), withCorrections);
+  this->FindWeights(lists, places, centers, std::vector<std::uint8_t>(places.size()));
 }
 
 void QuadraticFit::FindWeights(const NeighborLists& lists, Places places,
-  std::span<const Vertex> centers, std::span<const std::uint8_t> isShared, bool withCorrections)
+  std::span<const Vertex> centers, std::span<const std::uint8_t> isShared)
 {
   const auto own = centers.size();
   this->Start.reserve(own + 1);
@@ -106,15 +90,13 @@ void QuadraticFit::FindWeights(const NeighborLists& lists, Places places,
   }
   this->List.reserve(this->Start.back());
 
-  const auto& kernels = GetBestQuadraticKernels();
-  std::vector<Moments> moments(withCorrections ? places.size() : 0);
+  const auto findWeights = GetBestQuadraticWeights();
   QuadraticLanes lanes;
   std::array<Neighbor, NeighborLists::MaxNeighbors> neighbors;
   for (std::size_t first = 0; first < own; first += QuadraticLanes::Count)
   {
     const auto end = std::min(own, first + QuadraticLanes::Count);
     lanes.Neighbors = 0;
-    std::array<double, QuadraticLanes::Count> scales{};
     for (std::size_t i = first; i < first + QuadraticLanes::Count; ++i)
     {
       const auto lane = i - first;
@@ -123,20 +105,9 @@ void QuadraticFit::FindWeights(const NeighborLists& lists, Places places,
         SetLane(lanes, lane, {}, {}, isShared, places);
         continue;
       }
-      scales[lane] = SetLane(lanes, lane, places[centers[i]], lists.Of(i), isShared, places);
+      SetLane(lanes, lane, places[centers[i]], lists.Of(i), isShared, places);
     }
-    MomentLanes found;
-    if (withCorrections)
-    {
-      std::memcpy(found.X, lanes.X, sizeof(found.X));
-      std::memcpy(found.Y, lanes.Y, sizeof(found.Y));
-      std::memcpy(found.Z, lanes.Z, sizeof(found.Z));
-    }
-    kernels.FindWeights(lanes);
-    if (withCorrections)
-    {
-      kernels.FindMoments(lanes, found);
-    }
+    findWeights(lanes);
     for (std::size_t i = first; i < end; ++i)
     {
       const auto list = lists.Of(i);
@@ -148,76 +119,13 @@ void QuadraticFit::FindWeights(const NeighborLists& lists, Places places,
       }
       this->List.insert(this->List.end(), neighbors.begin(),
         neighbors.begin() + static_cast<std::ptrdiff_t>(list.size()));
-      if (withCorrections && !list.empty())
-      {
-        auto& moment = moments[centers[i]];
-        moment.Scale = scales[lane];
-        for (std::size_t k = 0; k < moment.Values.size(); ++k)
-        {
-          moment.Values[k] = found.Moment[k][lane];
-        }
-      }
-    }
-  }
-  if (withCorrections)
-  {
-    this->FindCorrections(places, centers, moments);
-  }
-}
-
-void QuadraticFit::FindCorrections(
-  Places places, std::span<const Vertex> centers, std::span<const Moments> moments)
-{
-  this->IsCorrected = true;
-  this->Corrections.resize(this->List.size());
-  const auto& kernels = GetBestQuadraticKernels();
-  CorrectionLanes lanes;
-  for (std::size_t first = 0; first < centers.size(); first += QuadraticLanes::Count)
-  {
-    const auto end = std::min(centers.size(), first + QuadraticLanes::Count);
-    lanes = {}; // a neighbor without moments has weight 0
-    for (std::size_t i = first; i < end; ++i)
-    {
-      const auto lane = i - first;
-      const auto& own = moments[centers[i]];
-      const auto nearest = this->GetCorrecting(i);
-      lanes.Neighbors = std::max(lanes.Neighbors, nearest.size());
-      for (std::size_t m = 0; m < own.Values.size(); ++m)
-      {
-        lanes.Own[m][lane] = own.Values[m];
-      }
-      for (std::size_t k = 0; k < nearest.size(); ++k)
-      {
-        const auto u = nearest[k].Id;
-        const auto& other = moments[u];
-        const auto ratio =
-          own.Scale > 0 && other.Scale > 0 ? static_cast<float>(own.Scale / other.Scale) : 0;
-        const float unit = ratio * ratio * ratio; // of third derivatives
-        if (unit > 0 && unit <= 1e6f)
-        {
-          const double square = GetSquare(places[u], places[centers[i]], own.Scale);
-          lanes.Nearness[k][lane] = 1 / (static_cast<float>(square) + 0.3f);
-          for (std::size_t m = 0; m < other.Values.size(); ++m)
-          {
-            lanes.Moment[k][m][lane] = other.Values[m] * unit;
-          }
-        }
-      }
-    }
-    kernels.FindCorrections(lanes);
-    for (std::size_t i = first; i < end; ++i)
-    {
-      for (std::size_t k = 0; k < this->GetCorrecting(i).size(); ++k)
-      {
-        this->Corrections[this->Start[i] + k] = lanes.Weight[k][i - first];
-      }
     }
   }
 }
 
 //------------------------------------------------------------------------------
-QuadraticFit FitCells(std::span<const std::uint32_t> starts, std::span<const std::uint32_t> corners,
-  Places points, bool withCorrections)
+QuadraticFit FitCells(
+  std::span<const std::uint32_t> starts, std::span<const std::uint32_t> corners, Places points)
 {
   // Means of the corners, added up in the order of their numbers, whatever their order in the cell.
   std::vector<std::array<double, 3>> places(starts.size() - 1);
@@ -237,6 +145,6 @@ QuadraticFit FitCells(std::span<const std::uint32_t> starts, std::span<const std
     const auto count = static_cast<double>(own.size());
     places[cell] = { sum[0] / count, sum[1] / count, sum[2] / count };
   }
-  return { NeighborLists::OfCells(starts, corners, places), places, withCorrections };
+  return { NeighborLists::OfCells(starts, corners, places), places };
 }
 }

@@ -11,10 +11,10 @@
 namespace gatun
 {
 //------------------------------------------------------------------------------
-const QuadraticKernels* GetAVX2QuadraticKernels()
+FindQuadraticWeights GetAVX2QuadraticWeights()
 {
 #if defined(__AVX2__)
-  return &AVX2::Kernels;
+  return AVX2::FindWeights;
 #else
   return nullptr;
 #endif

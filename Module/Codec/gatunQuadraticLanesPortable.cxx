@@ -7,19 +7,19 @@
 namespace gatun
 {
 //------------------------------------------------------------------------------
-const QuadraticKernels& GetPortableQuadraticKernels()
+FindQuadraticWeights GetPortableQuadraticWeights()
 {
-  return Portable::Kernels;
+  return Portable::FindWeights;
 }
 
 //------------------------------------------------------------------------------
-const QuadraticKernels& GetBestQuadraticKernels()
+FindQuadraticWeights GetBestQuadraticWeights()
 {
 #if defined(__x86_64__)
-  static const auto* best = __builtin_cpu_supports("avx2") ? GetAVX2QuadraticKernels() : nullptr;
-  return best ? *best : GetPortableQuadraticKernels();
+  static const auto best = __builtin_cpu_supports("avx2") ? GetAVX2QuadraticWeights() : nullptr;
+  return best ? best : GetPortableQuadraticWeights();
 #else
-  return GetPortableQuadraticKernels();
+  return GetPortableQuadraticWeights();
 #endif
 }
 }

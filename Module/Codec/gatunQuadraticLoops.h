@@ -5,8 +5,7 @@
 #define gatunQuadraticLoops_h
 
 // Compiled once for each instruction set; see gatunSimd.h. The order of all operations is that of
-// Documentation/format.md, 10.9 and 10.12: without contraction, every version gives the same
-// weights.
+// Documentation/format.md, 10.9: without contraction, every version gives the same weights.
 
 #include "gatunQuadraticLanes.h"
 #include "gatunSimd.h"
@@ -80,10 +79,9 @@ GATUN_INLINE void Whiten(QuadraticLanes& lanes)
   }
 }
 
-/** Factors a symmetric matrix of which the lower half is given. The factors are below the diagonal
- * then. */
+/** Solves a symmetric system with the right side (0, ..., 0, 1). matrix: its lower half. */
 template <std::size_t N>
-GATUN_INLINE void Eliminate(Float8 (&matrix)[N][N], Float8 (&inversePivots)[N])
+GATUN_INLINE void SolveForLast(Float8 (&matrix)[N][N], Float8 (&result)[N])
 {
   const auto one = Splat8(1.0f);
   for (std::size_t j = 0; j < N; ++j)
@@ -94,7 +92,7 @@ GATUN_INLINE void Eliminate(Float8 (&matrix)[N][N], Float8 (&inversePivots)[N])
       matrix[j][j] -= matrix[j][k] * matrix[k][j];
     }
     const auto inverse = one / matrix[j][j];
-    inversePivots[j] = inverse;
+    result[j] = inverse;
     for (std::size_t r = j + 1; r < N; ++r)
     {
       auto v = matrix[r][j];
@@ -106,42 +104,9 @@ GATUN_INLINE void Eliminate(Float8 (&matrix)[N][N], Float8 (&inversePivots)[N])
       matrix[r][j] = v * inverse;
     }
   }
-}
-
-/** Solves a symmetric system with the right side (0, ..., 0, 1). matrix: its lower half. */
-template <std::size_t N>
-GATUN_INLINE void SolveForLast(Float8 (&matrix)[N][N], Float8 (&result)[N])
-{
-  Eliminate(matrix, result);
   for (std::size_t j = N - 1; j-- > 0;)
   {
     Float8 v{};
-    for (std::size_t k = j + 1; k < N; ++k)
-    {
-      v -= matrix[k][j] * result[k];
-    }
-    result[j] = v;
-  }
-}
-
-/** Solves a symmetric system with any right side. matrix: its lower half. */
-template <std::size_t N>
-GATUN_INLINE void Solve(Float8 (&matrix)[N][N], const Float8 (&right)[N], Float8 (&result)[N])
-{
-  Float8 inversePivots[N];
-  Eliminate(matrix, inversePivots);
-  Float8 sums[N];
-  for (std::size_t j = 0; j < N; ++j)
-  {
-    sums[j] = right[j];
-    for (std::size_t k = 0; k < j; ++k)
-    {
-      sums[j] -= matrix[j][k] * sums[k];
-    }
-  }
-  for (std::size_t j = N; j-- > 0;)
-  {
-    auto v = sums[j] * inversePivots[j];
     for (std::size_t k = j + 1; k < N; ++k)
     {
       v -= matrix[k][j] * result[k];
@@ -306,86 +271,6 @@ inline void FindWeights(QuadraticLanes& lanes)
   Check(lanes, lanes.Quadratic);
   Check(lanes, lanes.Linear);
 }
-
-inline void FindMoments(const QuadraticLanes& lanes, MomentLanes& moments)
-{
-  Float8 sums[MomentLanes::Count] = {};
-  for (std::size_t i = 0; i < lanes.Neighbors; ++i)
-  {
-    const auto w = Load<Float8>(lanes.Quadratic[i]);
-    const auto x = Load<Float8>(moments.X[i]);
-    const auto y = Load<Float8>(moments.Y[i]);
-    const auto z = Load<Float8>(moments.Z[i]);
-    const auto xx = w * (x * x), xy = w * (x * y), yy = w * (y * y), zz = w * (z * z);
-    sums[0] += xx * x;
-    sums[1] += xx * y;
-    sums[2] += xx * z;
-    sums[3] += yy * x;
-    sums[4] += xy * z;
-    sums[5] += zz * x;
-    sums[6] += yy * y;
-    sums[7] += yy * z;
-    sums[8] += zz * y;
-    sums[9] += zz * z;
-  }
-  for (std::size_t m = 0; m < MomentLanes::Count; ++m)
-  {
-    Store(moments.Moment[m], sums[m]);
-  }
-}
-
-/** The moments of a vertex as a sum of those of its neighbors: by the same sum, its error is found
- * from theirs. */
-inline void FindCorrections(CorrectionLanes& lanes)
-{
-  constexpr auto n = MomentLanes::Count;
-  Float8 matrix[n][n] = {};
-  for (std::size_t i = 0; i < lanes.Neighbors; ++i)
-  {
-    const auto h = Load<Float8>(lanes.Nearness[i]);
-    for (std::size_t r = 0; r < n; ++r)
-    {
-      const auto hr = h * Load<Float8>(lanes.Moment[i][r]);
-      for (std::size_t j = 0; j <= r; ++j)
-      {
-        matrix[r][j] += hr * Load<Float8>(lanes.Moment[i][j]);
-      }
-    }
-  }
-  Float8 trace{};
-  for (std::size_t j = 0; j < n; ++j)
-  {
-    trace += matrix[j][j];
-  }
-  const auto ridge = trace * Splat8(3e-4f);
-  Float8 own[n], g[n];
-  for (std::size_t j = 0; j < n; ++j)
-  {
-    matrix[j][j] += ridge;
-    own[j] = Load<Float8>(lanes.Own[j]);
-  }
-  Solve(matrix, own, g);
-  const auto zero = Splat8(0.0f);
-  Float8 sum{};
-  for (std::size_t i = 0; i < lanes.Neighbors; ++i)
-  {
-    Float8 w{};
-    for (std::size_t j = 0; j < n; ++j)
-    {
-      w += Load<Float8>(lanes.Moment[i][j]) * g[j];
-    }
-    w = w * Load<Float8>(lanes.Nearness[i]);
-    Store(lanes.Weight[i], w);
-    sum += w < zero ? -w : w;
-  }
-  const auto isSmall = sum <= Splat8(100.0f);
-  for (std::size_t i = 0; i < lanes.Neighbors; ++i)
-  {
-    Store(lanes.Weight[i], isSmall ? Load<Float8>(lanes.Weight[i]) : zero);
-  }
-}
-
-constexpr QuadraticKernels Kernels{ FindWeights, FindMoments, FindCorrections };
 }
 }
 

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -127,15 +126,11 @@ private:
  * Predicts as PlainQuadraticPredictor does, but blends the quadratic fit with a linear fit and the
  * rule that predicted the coordinates, by the errors that each has made at the neighbors. See
  * Documentation/format.md, 10.10.
- *
- * IsCorrected: blends the quadratic fit plus the error to expect of it, too; see 10.12. The fit
- * must have corrections.
  */
-template <bool IsCorrected>
-class BlendedPredictor : public QuadraticNumbers
+class QuadraticPredictor : public QuadraticNumbers
 {
 public:
-  BlendedPredictor(const QuadraticFit& fit, std::size_t count)
+  QuadraticPredictor(const QuadraticFit& fit, std::size_t count)
     : QuadraticNumbers(fit, count)
     , Errors(count)
   {
@@ -151,37 +146,22 @@ public:
     if (neighbors.empty())
     {
       result.Number = this->Last;
-      this->Predicted.fill(this->Last);
+      this->Predicted = { this->Last, this->Last, this->Last, this->Last };
       return result;
     }
     const double first = this->Numbers[neighbors.front().Id];
-    const Sums sums = this->SumUp(neighbors, own, first);
+    const Sums sums = this->SumUp(neighbors, first);
     const double a = Add(first, sums.Fits[0]);
     const double b = Add(first, sums.Fits[1]);
     const std::optional<double> found = other(std::span<const double>(this->Numbers));
     const double c = found && std::isfinite(*found) ? *found : a;
-    double blend = 0;
-    if constexpr (IsCorrected)
-    {
-      const double d = Add(a, sums.OfCorrected[1]);
-      blend = Blend(std::array{ a, b, c, d },
-        std::array{
-          sums.ErrorsOfFits[0], sums.ErrorsOfFits[1], sums.ErrorsOfRest[0], sums.OfCorrected[0] });
-      this->Predicted[4] = d;
-    }
-    else
-    {
-      blend = Blend(std::array{ a, b, c },
-        std::array{ sums.ErrorsOfFits[0], sums.ErrorsOfFits[1], sums.ErrorsOfRest[0] });
-    }
+    const double blend =
+      Blend(a, b, c, sums.ErrorsOfFits[0], sums.ErrorsOfFits[1], sums.ErrorsOfRest[0]);
     result.Number = std::isfinite(blend) ? blend : first;
     result.Error = sums.ErrorsOfRest[1];
     result.HasNeighbors = true;
     result.HasError = sums.Shares != 0; // no share is negative
-    this->Predicted[0] = a;
-    this->Predicted[1] = b;
-    this->Predicted[2] = c;
-    this->Predicted[3] = result.Number;
+    this->Predicted = { a, b, c, result.Number };
     return result;
   }
 
@@ -189,14 +169,10 @@ public:
   void Learn(Vertex v, double number)
   {
     number = std::isfinite(number) ? number : this->Predicted[3];
-    for (std::size_t k = 0; k < this->Predicted.size(); ++k)
+    for (std::size_t k = 0; k < 4; ++k)
     {
       const double error = std::abs(number - this->Predicted[k]);
       this->Errors[v][k] = error <= MaxError ? error : MaxError;
-    }
-    if constexpr (IsCorrected)
-    {
-      this->Errors[v][5] = std::copysign(this->Errors[v][0], number - this->Predicted[0]);
     }
     this->Set(v, number);
   }
@@ -211,20 +187,14 @@ private:
     Double2 Fits{}; // quadratic and linear
     Double2 ErrorsOfFits{};
     Double2 ErrorsOfRest{};
-    Double2 OfCorrected{};    // error to expect, and correction of the quadratic fit
     std::uint32_t Shares = 0; // the bits of any
   };
 
-  [[gnu::noinline]] Sums SumUp(std::span<const QuadraticFit::Neighbor> neighbors,
-    [[maybe_unused]] std::size_t own, double first) const
+  [[gnu::noinline]] Sums SumUp(
+    std::span<const QuadraticFit::Neighbor> neighbors, double first) const
   {
-    Double2 fits{}, errorsOfFits{}, errorsOfRest{}, ofCorrected{};
+    Double2 fits{}, errorsOfFits{}, errorsOfRest{};
     std::uint32_t shares = 0;
-    [[maybe_unused]] const float* correction = nullptr;
-    if constexpr (IsCorrected)
-    {
-      correction = this->Fit.CorrectionsOf(own);
-    }
     for (const auto& n : neighbors)
     {
       const double difference = this->Numbers[n.Id] - first;
@@ -233,55 +203,37 @@ private:
       fits += Double2{ n.Quadratic, n.Linear } * Double2{ difference, difference };
       errorsOfFits += Double2{ share, share } * Double2{ known[0], known[1] };
       errorsOfRest += Double2{ share, share } * Double2{ known[2], known[3] };
-      if constexpr (IsCorrected)
-      {
-        ofCorrected += Double2{ share, *correction++ } * Double2{ known[4], known[5] };
-      }
       shares |= std::bit_cast<std::uint32_t>(n.Share);
     }
-    return { fits, errorsOfFits, errorsOfRest, ofCorrected, shares };
+    return { fits, errorsOfFits, errorsOfRest, shares };
   }
 
   static constexpr double MaxError = 1e300;
 
   /** Mean of predictions with weights of 1 / error^4. */
-  template <std::size_t Count>
-  static double Blend(
-    const std::array<double, Count>& predictions, std::array<double, Count> errors)
+  static double Blend(double a, double b, double c, double errorA, double errorB, double errorC)
   {
     // So that there is no division by zero. Errors in real data are either 0 or larger than this.
     constexpr double least = 1e-300;
-    double best = std::numeric_limits<double>::infinity();
-    for (double& error : errors)
-    {
-      error += least;
-      best = std::min(best, error);
-    }
+    errorA += least;
+    errorB += least;
+    errorC += least;
+    const double best = std::min(std::min(errorA, errorB), errorC);
     const auto weigh = [best](double error)
     {
       const double relative = best / error;
       const double square = relative * relative;
       return square * square;
     };
-    double weights = weigh(errors[0]);
-    double sum = -0.0; // which changes nothing that is added
-    for (std::size_t k = 1; k < Count; ++k)
-    {
-      const double weight = weigh(errors[k]);
-      weights += weight;
-      sum += weight * (predictions[k] - predictions[0]);
-    }
-    return predictions[0] + sum / weights;
+    const double weightA = weigh(errorA);
+    const double weightB = weigh(errorB);
+    const double weightC = weigh(errorC);
+    return a + (weightB * (b - a) + weightC * (c - a)) / (weightA + weightB + weightC);
   }
 
-  // Of the three predictions and of the blend; if IsCorrected, of the corrected quadratic fit, and
-  // of the quadratic one with its sign.
-  std::vector<std::array<double, IsCorrected ? 6 : 4>> Errors;
-  std::array<double, IsCorrected ? 5 : 4> Predicted{};
+  std::vector<std::array<double, 4>> Errors; // of the three predictions and of the blend
+  std::array<double, 4> Predicted{};
 };
-
-using QuadraticPredictor = BlendedPredictor<false>;
-using CorrectedPredictor = BlendedPredictor<true>;
 }
 
 #endif

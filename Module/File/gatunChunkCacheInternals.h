@@ -35,8 +35,7 @@ enum class PartKind : std::uint8_t
   Domains // of an array at a step; index 0
 };
 
-/** Names a part of a file; array and step are 0 except for arrays. Weights of neighbors with
- * corrections have the array 1. */
+/** Names a part of a file; array and step are 0 except for arrays. */
 struct PartKey
 {
   PartKind Kind = PartKind::ChunkMesh;

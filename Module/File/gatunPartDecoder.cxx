@@ -176,32 +176,21 @@ std::shared_ptr<const ChunkMesh> PartDecoder::DecodeMesh(
 }
 
 template <typename AnyFit, typename Make>
-void PartDecoder::FindFit(std::shared_ptr<const AnyFit>& fit, const PartKey& key, Make&& make) const
+void PartDecoder::FindFit(
+  std::shared_ptr<const AnyFit>& fit, PartKind kind, std::uint32_t number, Make&& make) const
 {
   if (fit)
   {
     return;
   }
   // Separate from the mesh, which other threads may use, because not every chunk needs it.
+  const PartKey key{ kind, number };
   fit = this->Kept().Find<AnyFit>(key);
   if (!fit)
   {
     fit = std::make_shared<const AnyFit>(make());
     this->Kept().Keep(key, fit, sizeof(*fit) + fit->GetBytes());
   }
-}
-
-template <typename Make>
-void PartDecoder::FindQuadratic(std::shared_ptr<const QuadraticFit>& fit, PartKind kind,
-  std::uint32_t number, SpatialMode mode, Make&& make) const
-{
-  const bool withCorrections = mode == SpatialMode::CorrectedQuadratic;
-  if (fit && withCorrections && !fit->HasCorrections())
-  {
-    fit.reset(); // it was for an array of another mode
-  }
-  this->FindFit(
-    fit, { kind, number, withCorrections ? 1u : 0u }, [&] { return make(withCorrections); });
 }
 
 void PartDecoder::DecodePoints(std::uint32_t chunk, const ChunkMesh& mesh,
@@ -212,15 +201,14 @@ void PartDecoder::DecodePoints(std::uint32_t chunk, const ChunkMesh& mesh,
   auto context = mesh.Context;
   if (mode == SpatialMode::Fit)
   {
-    this->FindFit(fits.Linear, { PartKind::ChunkFit, chunk },
+    this->FindFit(fits.Linear, PartKind::ChunkFit, chunk,
       [&] { return NeighborFit(mesh.Walk, mesh.GetPlaces()); });
     context.Fit = fits.Linear.get();
   }
   else if (IsQuadratic(mode))
   {
-    this->FindQuadratic(fits.Points, PartKind::ChunkQuadratic, chunk, mode,
-      [&](bool withCorrections)
-      { return QuadraticFit(mesh.Walk, mesh.GetPlaces(), withCorrections); });
+    this->FindFit(fits.Points, PartKind::ChunkQuadratic, chunk,
+      [&] { return QuadraticFit(mesh.Walk, mesh.GetPlaces()); });
     context.Quadratic = fits.Points.get();
   }
   DecodePointValues(stream, context, domains, keys);
@@ -456,6 +444,11 @@ std::vector<ComponentKeys> PartDecoder::MakePointKeys(std::size_t step, std::siz
 
 namespace
 {
+bool NeedsQuadraticFit(std::span<const std::uint8_t> stream)
+{
+  return IsQuadratic(ArrayModes::Read(stream).Spatial);
+}
+
 std::shared_ptr<const ArrayPart> TakeValues(std::vector<ComponentKeys>& keys)
 {
   auto values = std::make_shared<ArrayPart>();
@@ -498,14 +491,10 @@ std::shared_ptr<const ArrayPart> PartDecoder::DecodeBlockArray(std::uint32_t blo
               return (*points)[i];
             })
         : this->MakeKeys(array, step, count, before.get());
-      if (const auto mode = ArrayModes::Read(stream).Spatial; IsQuadratic(mode))
+      if (NeedsQuadraticFit(stream))
       {
-        this->FindQuadratic(fits.Points, PartKind::BlockQuadratic, block, mode,
-          [&](bool withCorrections)
-          {
-            return QuadraticFit(
-              GetPlaces(*this->GetBlockPoints(block), content.Domains), withCorrections);
-          });
+        this->FindFit(fits.Points, PartKind::BlockQuadratic, block,
+          [&] { return QuadraticFit(GetPlaces(*this->GetBlockPoints(block), content.Domains)); });
       }
       DecodeCellValues(stream, { {}, fits.Points.get() }, domains, keys);
     });
@@ -541,10 +530,10 @@ std::shared_ptr<const ArrayPart> PartDecoder::DecodeChunkArray(std::uint32_t chu
                                           : this->MakeKeys(array, step, count, before.get());
       if (!ofPoints)
       {
-        if (const auto mode = ArrayModes::Read(stream).Spatial; IsQuadratic(mode))
+        if (NeedsQuadraticFit(stream))
         {
-          this->FindQuadratic(fits.Cells, PartKind::ChunkCellQuadratic, chunk, mode,
-            [&](bool withCorrections) { return mesh.FitCells(withCorrections); });
+          this->FindFit(
+            fits.Cells, PartKind::ChunkCellQuadratic, chunk, [&] { return mesh.FitCells(); });
         }
         DecodeCellValues(stream, { mesh.Walk.Parents, fits.Cells.get() }, domains, keys);
         return;

@@ -114,12 +114,8 @@ private:
 
   /** Sets the weights of a chunk or block to those that are kept, or that make() makes. */
   template <typename AnyFit, typename Make>
-  void FindFit(std::shared_ptr<const AnyFit>& fit, const PartKey& key, Make&& make) const;
-
-  /** The same, with corrections if a mode needs them, by make(withCorrections). */
-  template <typename Make>
-  void FindQuadratic(std::shared_ptr<const QuadraticFit>& fit, PartKind kind, std::uint32_t number,
-    SpatialMode mode, Make&& make) const;
+  void FindFit(
+    std::shared_ptr<const AnyFit>& fit, PartKind kind, std::uint32_t number, Make&& make) const;
   std::vector<Key> DecodeCellIntegers(const StreamRef& where, const std::string& what,
     const ChunkMesh& mesh, ScalarType type, Key end) const;
   void DecodePoints(std::uint32_t chunk, const ChunkMesh& mesh,

@@ -177,7 +177,7 @@ const QuadraticFit& GetTupleFit()
       const auto number = static_cast<double>(i);
       places.push_back({ i % 7 + 0.01 * number, i / 7 % 6 - 0.3 * (i % 3), number / 42 });
     }
-    return QuadraticFit(places, true);
+    return QuadraticFit(places);
   }();
   return fit;
 }
@@ -560,7 +560,7 @@ SmallChunk::SmallChunk()
   frame.SharedUsers.assign(shared, 1);
   const std::vector<PointKeys> own(keys.begin() + shared, keys.end());
   this->Mesh = EncodeChunk(frame, tets, own).Mesh;
-  this->Mesh.MakeContext(true, true);
+  this->Mesh.MakeContext(true);
   for (Vertex v = 0; v < vertices; ++v)
   {
     if (this->Mesh.Walk.IsShared(v))

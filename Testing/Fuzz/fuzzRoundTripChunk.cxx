@@ -151,8 +151,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
       Require(decoded.Keys[corners[i]] == right);
     }
   }
-  encoded.Mesh.MakeContext(true, true);
-  decoded.MakeContext(true, true);
+  encoded.Mesh.MakeContext(true);
+  decoded.MakeContext(true);
   TryValues(in, encoded, decoded);
   return 0;
 }

@@ -15,15 +15,14 @@ from gtn_cells import TURNS, CellMesh, split
 from gtn_coding import (
     FLOAT32, FLOAT64, MAX_FLOAT32, UINT8, Coded, Domain, RunningSpread, divide)
 from gtn_quadratic import (
-    CorrectedPredictor, Lists, PlainPredictor, Predictor, decode_component, decode_places,
-    find_cell_neighbors, find_cell_places, find_neighbors)
+    Lists, PlainPredictor, Predictor, decode_component, decode_places, find_cell_neighbors,
+    find_cell_places, find_neighbors)
 from gtn_records import CellGeometry
 from gtn_shapes import TETRA
 from gtn_walk import Geometry, Walk, key_spread
 
-PREVIOUS, GATE, FIT, QUADRATIC, PLAIN_QUADRATIC, CORRECTED = 0, 1, 2, 3, 4, 5
-QUADRATICS = {
-    QUADRATIC: Predictor, PLAIN_QUADRATIC: PlainPredictor, CORRECTED: CorrectedPredictor}
+PREVIOUS, GATE, FIT, QUADRATIC, PLAIN_QUADRATIC = 0, 1, 2, 3, 4
+QUADRATICS = {QUADRATIC: Predictor, PLAIN_QUADRATIC: PlainPredictor}
 NONE, REPEAT, CHANGE = 0, 1, 2
 PROGRESSION = 3
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The quadratic spatial modes of `.gtn` files: sections 10.8 to 10.12 of Documentation/format.md.
+"""The quadratic spatial modes of `.gtn` files: sections 10.8 to 10.11 of Documentation/format.md.
 
 Part of gtn_decoder, which is written from that text alone.
 """
@@ -13,7 +13,7 @@ import numpy as np
 from gtn_coding import divide
 
 F = np.float32  # Operations on such numbers are those of binary32.
-MOST, CORRECTING, EDGES = 24, 16, 32
+MOST, EDGES = 24, 32
 MOST_CELLS, LAST_CELLS, MOST_CORNERS = 16, 16, 66
 BEFORE, IN_BOX = 8, 32
 
@@ -117,65 +117,40 @@ def find_block_neighbors(places):
     return result
 
 
-def eliminate(m):
-    """Factors of a matrix of which m is the lower half, and inverse pivots (10.9)."""
+def solve(m):
+    """g with m g = (0, ..., 0, 1); m: the lower half of a matrix (10.9)."""
     n = len(m)
     m = [row + [F(0)] * (n - len(row)) for row in m]
-    inverses = []
+    g = [F(0)] * n
     for j in range(n):
         for k in range(j):
             m[j][j] = m[j][j] - m[j][k] * m[k][j]
         inverse = F(1) / m[j][j]
-        inverses.append(inverse)
+        g[j] = inverse
         for r in range(j + 1, n):
             v = m[r][j]
             for k in range(j):
                 v = v - m[r][k] * m[k][j]
             m[j][r] = v
             m[r][j] = v * inverse
-    return m, inverses
-
-
-def substitute(m, g):
-    """Replaces g[j] in descending order by itself less the later ones times factors."""
-    for j in range(len(g) - 1, -1, -1):
-        for k in range(j + 1, len(g)):
-            g[j] = g[j] - m[k][j] * g[k]
+    for j in range(n - 2, -1, -1):
+        v = F(0)
+        for k in range(j + 1, n):
+            v = v - m[k][j] * g[k]
+        g[j] = v
     return g
 
 
-def solve(m):
-    """g with m g = (0, ..., 0, 1); m: the lower half of a matrix (10.9)."""
-    m, inverses = eliminate(m)
-    return substitute(m, [F(0)] * (len(m) - 1) + inverses[-1:])
-
-
-def solve_for(m, right):
-    """g with m g = right; m: the lower half of a matrix (10.12)."""
-    m, inverses = eliminate(m)
-    y = []
-    for j, v in enumerate(right):
-        for k in range(j):
-            v = v - m[j][k] * y[k]
-        y.append(v)
-    return substitute(m, [v * inverse for v, inverse in zip(y, inverses)])
-
-
-def scale_of(center, places):
-    """What offsets of neighbors are multiplied by, 0 if they cannot be used."""
+def offsets_of(center, places):
+    """Offsets of neighbors in binary32, and whether they can be used."""
     total = 0.0
     for place in places:
         x, y, z = offset(place, center)
         total += x * x + y * y + z * z
     mean = total / len(places)
-    return divide(1.0, math.sqrt(mean)) if 0 < mean < math.inf else 0.0
-
-
-def offsets_of(center, places):
-    """Offsets of neighbors in binary32."""
-    scale = scale_of(center, places)
-    if scale == 0:
+    if not 0 < mean < math.inf:
         return [(F(0), F(0), F(0))] * len(places)
+    scale = divide(1.0, math.sqrt(mean))
     return [tuple(F(a * scale) for a in offset(place, center)) for place in places]
 
 
@@ -289,43 +264,8 @@ def find_weights(center, places, known_errors):
         return checked(quadratic), checked(linear), [float(share) for share in shares]
 
 
-def find_moments(weights, offsets):
-    """Sums of a weight times each monomial of the degree 3 (10.12)."""
-    sums = [F(0)] * 10
-    for w, (x, y, z) in zip(weights, offsets):
-        w = F(w)
-        xx, xy, yy, zz = w * (x * x), w * (x * y), w * (y * y), w * (z * z)
-        terms = (xx * x, xx * y, xx * z, yy * x, xy * z, zz * x, yy * y, yy * z, zz * y, zz * z)
-        sums = [s + t for s, t in zip(sums, terms)]
-    return sums
-
-
-def find_corrections(own, others):
-    """Weights of errors (10.12). own: moments; others: those of neighbors and their nearness."""
-    m = [[F(0)] * (r + 1) for r in range(10)]
-    for h, moments in others:
-        for r in range(10):
-            hr = h * moments[r]
-            for j in range(r + 1):
-                m[r][j] = m[r][j] + hr * moments[j]
-    trace = F(0)
-    for j in range(10):
-        trace = trace + m[j][j]
-    for j in range(10):
-        m[j][j] = m[j][j] + trace * F(3e-4)
-    g = solve_for(m, own)
-    weights, total = [], F(0)
-    for h, moments in others:
-        w = F(0)
-        for moment, factor in zip(moments, g):
-            w = w + moment * factor
-        weights.append(w * h)
-        total = total + abs(weights[-1])
-    return [float(w) if total <= F(100) else 0.0 for w in weights]
-
-
-def blend(predictions, errors):
-    """The mean of predictions by their errors (10.10)."""
+def blend(a, b, c, errors):
+    """The mean of three predictions by their errors (10.10)."""
     errors = [error + 1e-300 for error in errors]
     best = min(errors)
     weights = []
@@ -333,60 +273,21 @@ def blend(predictions, errors):
         relative = best / error
         square = relative * relative
         weights.append(square * square)
-    first, total, whole = predictions[0], -0.0, weights[0]
-    for prediction, weight in zip(predictions[1:], weights[1:]):
-        total += weight * (prediction - first)
-        whole += weight
-    return first + total / whole
+    u, v, w = weights
+    return a + (v * (b - a) + w * (c - a)) / (u + v + w)
 
 
 class Lists:
     """Neighbors, their quadratic and linear weights, and shares of each place to decode."""
 
     def __init__(self, lists, centers, places, is_shared=None):
-        self.centers, self.places = list(centers), places
         self.lists = [
             (found, *find_weights(places[v], [places[u] for u in found],
                                   [is_shared is None or not is_shared[u] for u in found]))
             for v, found in zip(centers, lists)]
-        self._corrections = None
 
     def __getitem__(self, i):
         return self.lists[i]
-
-    def correction(self, i):
-        """Weights of the errors of the first neighbors (10.12)."""
-        if self._corrections is None:
-            with np.errstate(all="ignore"):
-                self._find_corrections()
-        return self._corrections[i]
-
-    def _find_corrections(self):
-        moments = {}
-        for v, (found, weights, _, _) in zip(self.centers, self.lists):
-            if found:
-                near = [self.places[u] for u in found]
-                moments[v] = (scale_of(self.places[v], near),
-                              find_moments(weights, offsets_of(self.places[v], near)))
-        self._corrections = []
-        for v, (found, _, _, _) in zip(self.centers, self.lists):
-            others = []
-            scale, own = moments.get(v, (0.0, None))
-            for u in found[:CORRECTING]:
-                unit, other = F(0), moments.get(u, (0.0, None))
-                if scale > 0 and other[0] > 0:
-                    ratio = F(divide(scale, other[0]))
-                    unit = ratio * ratio * ratio
-                if not 0 < unit <= F(1e6):
-                    others.append((F(0), [F(0)] * 10))
-                    continue
-                square = 0.0
-                for a, b in zip(self.places[u], self.places[v]):
-                    d = (a - b) * scale
-                    square += d * d
-                others.append(
-                    (F(1) / (F(square) + F(0.3)), [moment * unit for moment in other[1]]))
-            self._corrections.append(find_corrections(own, others) if found else [])
 
 
 class Predictor:
@@ -422,7 +323,7 @@ class Predictor:
         a, b = (s if math.isfinite(s) else first for s in (first + a, first + b))
         other = self.other(i, self.numbers)
         c = other if other is not None and math.isfinite(other) else a
-        number = blend((a, b, c), errors[:3])
+        number = blend(a, b, c, errors[:3])
         number = number if math.isfinite(number) else first
         self.predicted = (a, b, c, number)
         return number, errors[3] if total > 0 else None, True
@@ -432,41 +333,6 @@ class Predictor:
         errors = (abs(number - p) for p in self.predicted)
         self.errors[v] = tuple(e if e <= 1e300 else 1e300 for e in errors)
         self.numbers[v] = self.last = number
-
-
-class CorrectedPredictor(Predictor):
-    """Predicts as Predictor does, and by the quadratic function corrected by its errors at
-    neighbors (10.12)."""
-
-    def __init__(self, lists, count, other):
-        super().__init__(lists, count, other)
-        self.corrected = [(0.0, 0.0)] * count  # error of it, and the signed one of the function
-
-    def predict(self, i):
-        _, error, has_neighbors = super().predict(i)
-        if not has_neighbors:
-            self.predicted_corrected = self.last
-            return self.last, None, False
-        neighbors, _, _, shares = self.lists[i]
-        a, b, c, _ = self.predicted
-        errors, expected, correction = [0.0] * 3, 0.0, 0.0
-        for u, share in zip(neighbors, shares):
-            errors = [e + share * known for e, known in zip(errors, self.errors[u])]
-            expected += share * self.corrected[u][0]
-        for u, weight in zip(neighbors, self.lists.correction(i)):
-            correction += weight * self.corrected[u][1]
-        d = a + correction if math.isfinite(a + correction) else a
-        number = blend((a, b, c, d), errors + [expected])
-        number = number if math.isfinite(number) else self.numbers[neighbors[0]]
-        self.predicted, self.predicted_corrected = (a, b, c, number), d
-        return number, error, True
-
-    def learn(self, v, number):
-        super().learn(v, number)
-        number = self.last
-        error = abs(number - self.predicted_corrected)
-        self.corrected[v] = (error if error <= 1e300 else 1e300,
-                             math.copysign(self.errors[v][0], number - self.predicted[0]))
 
 
 class PlainPredictor(Predictor):

@@ -61,9 +61,9 @@ public:
       keys[i / 3][i % 3] = domain.FromNumber(mesh.Coordinates[i]);
     }
     this->Chunk = EncodeChunk(frame, tets, keys).Mesh;
-    this->Chunk.MakeContext(true, true);
-    this->CellFit.emplace(this->Chunk.FitCells(true));
-    this->BlockFit.emplace(this->Chunk.GetPlaces(), true);
+    this->Chunk.MakeContext(true);
+    this->CellFit.emplace(this->Chunk.FitCells());
+    this->BlockFit.emplace(this->Chunk.GetPlaces());
     this->Plain = this->Chunk.Context;
     this->Plain.Quadratic = nullptr;
   }

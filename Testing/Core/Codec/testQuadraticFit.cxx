@@ -1,27 +1,74 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "gatunChunkCodec.h"
+#include "gatunError.h"
+#include "gatunExactValues.h"
 #include "gatunFloatEnvironment.h"
 #include "gatunNeighborLists.h"
-#include "gatunQuadraticFit.h"
+#include "gatunQuadraticCoder.h"
 #include "gatunQuadraticLanes.h"
-#include "gatunQuadraticMesh.h"
+#include "gatunTestMeshes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <iterator>
+#include <limits>
+#include <memory>
 #include <random>
 #include <set>
 #include <utility>
-#include <vector>
 
 namespace
 {
 using namespace gatun;
 using namespace gatun::test;
+
+constexpr double Inf = std::numeric_limits<double>::infinity();
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+/** A chunk of n^3 cubes, some vertices of which are shared. move: changes places. */
+std::unique_ptr<const ChunkMesh> MakeMesh(
+  std::int64_t n, const std::function<void(double*)>& move = [](double*) {})
+{
+  TestMesh mesh = MakeCubes(n, 0.2);
+  ChunkFrame frame;
+  const Domain domain(ScalarType::Float64);
+  frame.Domains = { domain, domain, domain };
+  frame.Box = { Range{ -1, n + 1.0 }, Range{ -1, n + 1.0 }, Range{ -1, n + 1.0 } };
+  std::vector<PointKeys> shared, own;
+  std::vector<std::uint32_t> number(mesh.GetPoints());
+  for (const bool isShared : { true, false })
+  {
+    for (std::size_t v = 0; v < number.size(); ++v)
+    {
+      double* p = mesh.Coordinates.data() + 3 * v;
+      if ((v % 7 == 0) == isShared)
+      {
+        number[v] = static_cast<std::uint32_t>(shared.size() + own.size());
+        move(p);
+        (isShared ? shared : own)
+          .push_back({ domain.Read(p), domain.Read(p + 1), domain.Read(p + 2) });
+      }
+    }
+  }
+  std::vector<std::array<std::uint32_t, 4>> tets(mesh.GetTets());
+  for (std::size_t i = 0; i < mesh.Ids.size(); ++i)
+  {
+    tets[i / 4][i % 4] = number[static_cast<std::size_t>(mesh.Ids[i])];
+  }
+  frame.Tets = static_cast<std::uint32_t>(tets.size());
+  frame.OwnPoints = static_cast<std::uint32_t>(own.size());
+  frame.SharedKeys = shared;
+  frame.SharedUsers.assign(shared.size(), 1);
+  auto result = std::make_unique<ChunkMesh>(EncodeChunk(frame, tets, own).Mesh);
+  result->MakeContext(true); // with pointers into it
+  return result;
+}
 
 //------------------------------------------------------------------------------
 // Lists of neighbors
@@ -128,52 +175,10 @@ QuadraticLanes MakeLanes(unsigned seed)
   return lanes;
 }
 
-void ExpectSame(float a, float b)
-{
-  EXPECT_TRUE(std::isnan(a) ? std::isnan(b) : std::memcmp(&a, &b, sizeof(a)) == 0) << a << " " << b;
-}
-
-MomentLanes MakeMoments(const QuadraticLanes& lanes)
-{
-  MomentLanes moments{};
-  std::memcpy(moments.X, lanes.X, sizeof(lanes.X));
-  std::memcpy(moments.Y, lanes.Y, sizeof(lanes.Y));
-  std::memcpy(moments.Z, lanes.Z, sizeof(lanes.Z));
-  return moments;
-}
-
-/** Moments of different numbers of neighbors, some of which have none. */
-CorrectionLanes MakeCorrections(unsigned seed)
-{
-  std::mt19937 random(seed);
-  std::normal_distribution<float> moment(0, 0.3f);
-  CorrectionLanes lanes;
-  for (std::size_t lane = 0; lane < QuadraticLanes::Count; ++lane)
-  {
-    const std::size_t count = (seed + 5 * lane) % (NeighborLists::MaxCorrecting + 1);
-    const auto take = [&](std::size_t m) { return lane == 2 && m > 3 ? 0 : moment(random); };
-    for (std::size_t m = 0; m < MomentLanes::Count; ++m)
-    {
-      lanes.Own[m][lane] = take(m);
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        lanes.Moment[i][m][lane] = i % 5 == 1 ? 0 : take(m);
-      }
-    }
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      lanes.Nearness[i][lane] = i % 5 == 1 ? 0 : 1 / (0.3f + std::abs(moment(random)));
-    }
-    lanes.Neighbors = std::max(lanes.Neighbors, count);
-  }
-  return lanes;
-}
-
 TEST(QuadraticFit, AllVersionsGiveTheSameBits)
 {
-  const auto& best = GetBestQuadraticKernels();
-  const auto& portable = GetPortableQuadraticKernels();
-  if (&best == &portable)
+  const auto best = GetBestQuadraticWeights();
+  if (best == GetPortableQuadraticWeights())
   {
     GTEST_SKIP() << "this processor has only the portable version";
   }
@@ -181,32 +186,20 @@ TEST(QuadraticFit, AllVersionsGiveTheSameBits)
   {
     auto one = MakeLanes(seed);
     auto other = one;
-    auto moments = MakeMoments(one);
-    auto otherMoments = moments;
-    auto corrections = MakeCorrections(seed);
-    auto otherCorrections = corrections;
-    best.FindWeights(one);
-    best.FindMoments(one, moments);
-    best.FindCorrections(corrections);
-    portable.FindWeights(other);
-    portable.FindMoments(other, otherMoments);
-    portable.FindCorrections(otherCorrections);
-    for (std::size_t lane = 0; lane < QuadraticLanes::Count; ++lane)
+    best(one);
+    GetPortableQuadraticWeights()(other);
+    for (std::size_t i = 0; i < one.Neighbors; ++i)
     {
-      SCOPED_TRACE(testing::Message() << "seed " << seed << ", lane " << lane);
-      for (std::size_t i = 0; i < one.Neighbors; ++i)
+      for (std::size_t lane = 0; lane < QuadraticLanes::Count; ++lane)
       {
-        ExpectSame(one.Quadratic[i][lane], other.Quadratic[i][lane]);
-        ExpectSame(one.Linear[i][lane], other.Linear[i][lane]);
-        ExpectSame(one.Share[i][lane], other.Share[i][lane]);
-      }
-      for (std::size_t m = 0; m < MomentLanes::Count; ++m)
-      {
-        ExpectSame(moments.Moment[m][lane], otherMoments.Moment[m][lane]);
-      }
-      for (std::size_t i = 0; i < corrections.Neighbors; ++i)
-      {
-        ExpectSame(corrections.Weight[i][lane], otherCorrections.Weight[i][lane]);
+        const auto expectSame = [&](float a, float b)
+        {
+          EXPECT_TRUE(std::isnan(a) ? std::isnan(b) : std::memcmp(&a, &b, sizeof(a)) == 0)
+            << seed << " " << i << " " << lane << " " << a << " " << b;
+        };
+        expectSame(one.Quadratic[i][lane], other.Quadratic[i][lane]);
+        expectSame(one.Linear[i][lane], other.Linear[i][lane]);
+        expectSame(one.Share[i][lane], other.Share[i][lane]);
       }
     }
   }
@@ -222,33 +215,14 @@ TEST(QuadraticFit, OtherLanesAndTheirPaddingChangeNothing)
       auto alone = MakeLanes(seed);
       const auto count = (seed + 5 * lane) % (NeighborLists::MaxNeighbors + 1);
       alone.Neighbors = count;
-      GetBestQuadraticKernels().FindWeights(alone);
+      GetBestQuadraticWeights()(alone);
       auto all = together;
-      GetBestQuadraticKernels().FindWeights(all);
+      GetBestQuadraticWeights()(all);
       for (std::size_t i = 0; i < count; ++i)
       {
         EXPECT_EQ(alone.Quadratic[i][lane], all.Quadratic[i][lane]);
         EXPECT_EQ(alone.Linear[i][lane], all.Linear[i][lane]);
         EXPECT_EQ(alone.Share[i][lane], all.Share[i][lane]);
-      }
-    }
-  }
-}
-
-TEST(QuadraticFit, OtherLanesChangeNoCorrections)
-{
-  for (unsigned seed = 0; seed < 50; ++seed)
-  {
-    auto all = MakeCorrections(seed);
-    GetBestQuadraticKernels().FindCorrections(all);
-    for (std::size_t lane = 0; lane < QuadraticLanes::Count; ++lane)
-    {
-      auto alone = MakeCorrections(seed);
-      alone.Neighbors = (seed + 5 * lane) % (NeighborLists::MaxCorrecting + 1);
-      GetBestQuadraticKernels().FindCorrections(alone);
-      for (std::size_t i = 0; i < alone.Neighbors; ++i)
-      {
-        EXPECT_EQ(alone.Weight[i][lane], all.Weight[i][lane]);
       }
     }
   }
@@ -286,40 +260,26 @@ TEST(QuadraticFit, PredictsQuadraticFunctions)
   EXPECT_LT(quadratic, 0.2 * linear);
 }
 
-TEST(QuadraticFit, CorrectionsPredictTheErrorsOfCubicFunctions)
+/** Moves vertices so that neighborhoods are singular in several ways. */
+void MoveToSingular(double* p)
 {
-  const FloatEnvironment guard;
-  const auto meshHeld = MakeMesh(9);
-  const auto& mesh = *meshHeld;
-  const auto places = mesh.GetPlaces();
-  const auto value = [](const std::array<double, 3>& p)
+  if (p[0] > 4)
   {
-    const double x = p[0] - 4, y = p[1] - 3, z = p[2];
-    return x * x * x - 2 * x * y * z + 0.5 * z * z * y + x * y - z;
-  };
-  std::vector<double> errors(places.size());
-  double error = 0, left = 0;
-  std::size_t count = 0;
-  for (std::size_t own = 0; own < mesh.Context.OwnIds.size(); ++own)
-  {
-    const auto v = mesh.Context.OwnIds[own];
-    const auto neighbors = mesh.Quadratic->Of(own);
-    double expected = 0;
-    for (std::size_t i = 0; i < neighbors.size(); ++i)
-    {
-      const auto u = neighbors[i].Id;
-      errors[v] -= neighbors[i].Quadratic * (value(places[u]) - value(places[v]));
-      expected += mesh.Quadratic->CorrectionsOf(own)[i] * errors[u];
-    }
-    if (neighbors.size() == NeighborLists::MaxNeighbors)
-    {
-      error += std::abs(errors[v]);
-      left += std::abs(errors[v] - expected);
-      ++count;
-    }
+    p[0] = 5; // a plane
   }
-  ASSERT_GT(count, 100u);
-  EXPECT_LT(left, 0.7 * error);
+  if (p[2] < 1.5)
+  {
+    p[1] = p[2] = 0; // a line
+  }
+  if (p[1] > 3.5)
+  {
+    p[0] = p[1] = p[2] = 3; // a point
+  }
+  if (p[2] > 4.5)
+  {
+    p[0] = p[1] > 2 ? NaN : Inf;
+    p[1] *= 1e300;
+  }
 }
 
 TEST(QuadraticFit, WeightsOfSingularNeighborhoodsAreFiniteAndSmall)
@@ -330,12 +290,7 @@ TEST(QuadraticFit, WeightsOfSingularNeighborhoodsAreFiniteAndSmall)
   for (std::size_t own = 0; own < mesh.Context.OwnIds.size(); ++own)
   {
     const auto neighbors = mesh.Quadratic->Of(own);
-    double quadratic = 0, linear = 0, share = 0, correction = 0;
-    for (std::size_t i = 0; i < neighbors.size(); ++i)
-    {
-      correction += std::abs(mesh.Quadratic->CorrectionsOf(own)[i]);
-    }
-    EXPECT_LE(correction, 100.1);
+    double quadratic = 0, linear = 0, share = 0;
     for (const auto& n : neighbors)
     {
       quadratic += std::abs(n.Quadratic);
@@ -348,5 +303,196 @@ TEST(QuadraticFit, WeightsOfSingularNeighborhoodsAreFiniteAndSmall)
     EXPECT_TRUE(share == 0 || std::abs(share - 1) < 1e-5) << share;
   }
   EXPECT_GT(equal, 0u); // some weights had to be replaced
+}
+
+//------------------------------------------------------------------------------
+// Streams
+
+/** Encodes and decodes values by all modes. Returns the spatial mode. */
+SpatialMode ExpectRoundTrip(const ChunkMesh& mesh, const Domain& domain, const ComponentKeys& truth)
+{
+  std::vector<ComponentKeys> keys{ truth };
+  const FloatEnvironment guard;
+  const auto stream = EncodePointValues(mesh.Context, { &domain, 1 }, keys);
+  std::vector<ComponentKeys> found{ truth };
+  for (const auto v : mesh.Context.OwnIds)
+  {
+    found[0].Now[v] = 0;
+  }
+  DecodePointValues(stream, mesh.Context, { &domain, 1 }, found);
+  EXPECT_EQ(found[0].Now, truth.Now);
+  return ArrayModes::Read(stream).Spatial;
+}
+
+double Smooth(const std::array<double, 3>& p)
+{
+  return std::sin(0.4 * p[0]) * std::cos(0.3 * p[1] - 0.2 * p[2]) + 0.1 * p[0] * p[2];
+}
+
+ComponentKeys MakeKeys(const ChunkMesh& mesh, const Domain& domain, double factor)
+{
+  ComponentKeys keys;
+  for (const auto& place : mesh.GetPlaces())
+  {
+    const double value = Smooth(place) * factor;
+    keys.Now.push_back(domain.FromNumber(value));
+  }
+  return keys;
+}
+
+TEST(QuadraticFit, SmoothValuesOfAllTypesRoundTrip)
+{
+  const auto meshHeld = MakeMesh(8);
+  const auto& mesh = *meshHeld;
+  for (const auto type : { ScalarType::Float32, ScalarType::Float64, ScalarType::Int32,
+         ScalarType::UInt64, ScalarType::Int64 })
+  {
+    const bool isFloat = type == ScalarType::Float32 || type == ScalarType::Float64;
+    const Domain domain(type);
+    const auto keys = MakeKeys(mesh, domain, isFloat ? 1 : 1e8);
+    EXPECT_TRUE(IsQuadratic(ExpectRoundTrip(mesh, domain, keys)));
+  }
+}
+
+/** The same by both quadratic modes, whatever others would need. */
+void ExpectQuadraticRoundTrip(
+  const ChunkMesh& mesh, const Domain& domain, const ComponentKeys& truth)
+{
+  const FloatEnvironment guard;
+  for (const auto spatial : { SpatialMode::Quadratic, SpatialMode::PlainQuadratic })
+  {
+    for (const auto temporal : { TemporalMode::None, TemporalMode::Change })
+    {
+      if (temporal != TemporalMode::None && truth.Before.empty())
+      {
+        continue;
+      }
+      auto keys = truth;
+      EntropyEncoder encoder;
+      const OwnPoints places{ mesh.Context };
+      CodeQuadratic(encoder, spatial, temporal, places, ExactValues(domain), keys);
+      const auto stream = encoder.Finish();
+      EntropyDecoder decoder(stream);
+      for (const auto v : mesh.Context.OwnIds)
+      {
+        keys.Now[v] = 0;
+      }
+      CodeQuadratic(decoder, spatial, temporal, places, ExactValues(domain), keys);
+      EXPECT_EQ(keys.Now, truth.Now);
+    }
+  }
+}
+
+TEST(QuadraticFit, ValuesThatAreNotFiniteRoundTrip)
+{
+  const auto meshHeld = MakeMesh(8);
+  const auto& mesh = *meshHeld;
+  const Domain domain(ScalarType::Float64);
+  const std::array odd{ NaN, Inf, -Inf, -0.0, 5e-324, -NaN, 1e308, -1e308 };
+  for (const std::size_t count : { std::size_t{ 6 }, odd.size() })
+  {
+    auto keys = MakeKeys(mesh, domain, 1);
+    for (std::size_t v = 0; v < keys.Now.size(); v += 23)
+    {
+      keys.Now[v] = domain.Read(&odd[v % count]);
+    }
+    if (count == 6)
+    {
+      EXPECT_TRUE(IsQuadratic(ExpectRoundTrip(mesh, domain, keys)));
+    }
+    keys.Before = MakeKeys(mesh, domain, 1.01).Now;
+    for (std::size_t v = 3; v < keys.Now.size(); v += 13)
+    {
+      keys.Before[v] = domain.Read(&odd[v % count]);
+    }
+    ExpectQuadraticRoundTrip(mesh, domain, keys);
+  }
+}
+
+TEST(QuadraticFit, ValuesAtSingularNeighborhoodsRoundTrip)
+{
+  const auto mesh = MakeMesh(6, MoveToSingular);
+  const auto straight = MakeMesh(6);
+  const Domain domain(ScalarType::Float32);
+  ExpectQuadraticRoundTrip(*mesh, domain, MakeKeys(*straight, domain, 1));
+}
+
+TEST(QuadraticFit, ChunksOfOnePointRoundTrip)
+{
+  const auto mesh = MakeMesh(1, [](double* p) { p[0] = p[1] = p[2] = 2; });
+  const Domain domain(ScalarType::Float32);
+  ExpectQuadraticRoundTrip(*mesh, domain, MakeKeys(*mesh, domain, 1));
+}
+
+TEST(QuadraticFit, NoiseKeepsTheFasterModes)
+{
+  const auto meshHeld = MakeMesh(8);
+  const auto& mesh = *meshHeld;
+  const Domain domain(ScalarType::Float32);
+  ComponentKeys keys;
+  std::mt19937 random(3);
+  for (std::size_t v = 0; v < mesh.Keys.size(); ++v)
+  {
+    keys.Now.push_back(domain.FromNumber(1 + 1e-3 * static_cast<double>(random() % 1000)));
+  }
+  EXPECT_FALSE(IsQuadratic(ExpectRoundTrip(mesh, domain, keys)));
+}
+
+TEST(QuadraticFit, ModesThatAreNotAllowedAreRejected)
+{
+  const auto meshHeld = MakeMesh(8);
+  const auto& mesh = *meshHeld;
+  const Domain domain(ScalarType::Float64);
+  std::vector<ComponentKeys> keys{ MakeKeys(mesh, domain, 1) };
+  keys[0].Before.assign(keys[0].Now.size(), domain.FromNumber(0));
+  auto stream = EncodePointValues(mesh.Context, { &domain, 1 }, keys);
+  ASSERT_EQ(stream[0], 3);
+  auto context = mesh.Context;
+  context.Quadratic = nullptr;
+  for (const auto mode : { SpatialMode::Quadratic, SpatialMode::PlainQuadratic })
+  {
+    stream[0] = static_cast<std::uint8_t>(mode);
+    stream[1] = 0;
+    EXPECT_THROW(DecodePointValues(stream, context, { &domain, 1 }, keys), Error);
+    EXPECT_THROW(DecodeCellValues(stream, { mesh.Walk.Parents }, { &domain, 1 }, keys), Error);
+    stream[1] = 1;
+    EXPECT_THROW(ArrayModes::Read(stream), Error);
+    EXPECT_THROW(DecodePointValues(stream, mesh.Context, { &domain, 1 }, keys), Error);
+  }
+  stream[0] = 5;
+  stream[1] = 0;
+  EXPECT_THROW(ArrayModes::Read(stream), Error);
+  EXPECT_THROW(DecodePointValues(stream, mesh.Context, { &domain, 1 }, keys), Error);
+}
+
+TEST(QuadraticFit, AnyStreamGivesKeysOrAnError)
+{
+  const auto meshHeld = MakeMesh(4, MoveToSingular);
+  const auto& mesh = *meshHeld;
+  const Domain domain(ScalarType::Float64);
+  std::mt19937 random(11);
+  for (unsigned round = 0; round < 300; ++round)
+  {
+    Bytes stream{ 3, static_cast<std::uint8_t>(round % 2 * 2) };
+    for (unsigned i = 0; i < 600; ++i)
+    {
+      stream.push_back(static_cast<std::uint8_t>(i == 0 ? 100 + round % 28 : random()));
+    }
+    std::vector<ComponentKeys> keys(1);
+    for (std::size_t v = 0; v < mesh.Keys.size(); ++v)
+    {
+      keys[0].Now.push_back(std::uint64_t{ random() } << 32 | random());
+      keys[0].Before.push_back(std::uint64_t{ random() } << 32 | random());
+    }
+    try
+    {
+      const FloatEnvironment guard;
+      DecodePointValues(stream, mesh.Context, { &domain, 1 }, keys);
+    }
+    catch (const Error&)
+    {
+      continue;
+    }
+  }
 }
 }

@@ -194,12 +194,10 @@ TEST(QuadraticPlaces, BlocksOfOddPlacesHaveLists)
     const auto lists = NeighborLists::OfBlock(places);
     EXPECT_EQ(lists.Of(4999).size(), NeighborLists::MaxNeighbors);
     const FloatEnvironment guard;
-    const QuadraticFit fit(places, true);
-    for (std::size_t i = 0; i < NeighborLists::MaxNeighbors; ++i)
+    const QuadraticFit fit(places);
+    for (const auto& n : fit.Of(4999))
     {
-      const auto& n = fit.Of(4999)[i];
       EXPECT_TRUE(std::isfinite(n.Quadratic) && std::isfinite(n.Linear));
-      EXPECT_LE(std::abs(fit.CorrectionsOf(4999)[i]), 100);
     }
   }
 }
@@ -259,35 +257,27 @@ TEST(QuadraticPlaces, SmoothValuesOnCellsRoundTrip)
   {
     parents[i] = i - 1; // Topology::NoTet for the first
   }
-  for (const bool withCorrections : { false, true })
-  {
-    const auto fit = FitCells(cells.Starts, cells.Corners, cells.Points, withCorrections);
-    ExpectSmoothRoundTrips({ parents, &fit }, cells.Middles);
-  }
+  const auto fit = FitCells(cells.Starts, cells.Corners, cells.Points);
+  ExpectSmoothRoundTrips({ parents, &fit }, cells.Middles);
 }
 
 TEST(QuadraticPlaces, SmoothValuesOnBlocksRoundTrip)
 {
   const FloatEnvironment guard;
   const auto places = MakeBlock(40);
-  for (const bool withCorrections : { false, true })
-  {
-    const QuadraticFit fit(places, withCorrections);
-    ExpectSmoothRoundTrips({ {}, &fit }, places);
-  }
+  const QuadraticFit fit(places);
+  ExpectSmoothRoundTrips({ {}, &fit }, places);
 }
 
 TEST(QuadraticPlaces, BoundedValuesKeepTheirBound)
 {
   const FloatEnvironment guard;
   const auto places = MakeBlock(40);
-  const QuadraticFit plain(places), corrected(places, true);
+  const QuadraticFit fit(places);
   std::vector<std::uint32_t> parents(places.size(), 0);
   parents[0] = Topology::NoTet;
-  for (unsigned i = 0; i < 6; ++i)
+  for (const double bound : { 1e-1, 1e-3, 1e-6 })
   {
-    const double bound = std::array{ 1e-1, 1e-3, 1e-6 }[i / 2];
-    const auto& fit = i % 2 == 0 ? plain : corrected;
     const auto rounding =
       MakeQuantizer(ScalarType::Float64, { ErrorKind::Absolute, bound }, FiniteRange{});
     ASSERT_TRUE(rounding);
@@ -297,10 +287,10 @@ TEST(QuadraticPlaces, BoundedValuesKeepTheirBound)
     const auto stream = RoundTrip({ parents, &fit }, domain, keys);
     EXPECT_TRUE(IsQuadratic(ArrayModes::Read(stream).Spatial));
     double largest = 0;
-    for (std::size_t k = 0; k < places.size(); ++k)
+    for (std::size_t i = 0; i < places.size(); ++i)
     {
       largest =
-        std::max(largest, std::abs(domain.ToNumber(keys.Now[k]) - domain.ToNumber(truth.Now[k])));
+        std::max(largest, std::abs(domain.ToNumber(keys.Now[i]) - domain.ToNumber(truth.Now[i])));
     }
     EXPECT_LE(largest, bound);
     EXPECT_GT(largest, 0.5 * bound);
