@@ -35,4 +35,6 @@ filters and representations draw meshes that are larger than memory."
   CONTROL     "${CMAKE_BINARY_DIR}/packaging/conffiles"
   OVERRIDES
     "# The plugin finds its own libraries in its folder, and ParaView's in theirs, as ParaView's plugins do."
-    "paraview-gatun: custom-library-search-path *")
+    "paraview-gatun: custom-library-search-path *"
+    "# The command is in the package paraview, which this one needs."
+    "paraview-gatun: desktop-command-not-in-package paraview *")
