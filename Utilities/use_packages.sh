@@ -64,7 +64,7 @@ f 2 3 4
 f 3 1 4
 OBJ
 expect "" gtn pack surface.obj surface.gtn
-expect "4 points" gtn info surface.gtn
+expect "points           4" gtn info surface.gtn
 expect "" gtn verify surface.gtn surface.obj
 expect "libgtnTetGen.so" sh -c '! gtn mesh surface.obj mesh.gtn'
 
