@@ -48,7 +48,7 @@ cd "$work"
 apt-get -qq update
 
 say "gatun: the program alone"
-install man-db bash-completion zsh xdg-utils libglib2.0-bin desktop-file-utils shared-mime-info \
+install man-db bash-completion zsh libglib2.0-bin desktop-file-utils shared-mime-info \
   "$packages"/libgatun0*.deb "$packages"/gatun-data_*.deb "$packages"/gatun_*.deb
 if dpkg -s libtet1.5 >/dev/null 2>&1; then
   die "TetGen is there without gatun-tetgen"
@@ -87,7 +87,6 @@ expect "_gtn" zsh -fc 'autoload -U compinit; compinit -u -D; echo $_comps[gtn]'
 
 say "Types of files"
 cp mesh.gtn mesh-without-extension
-expect "application/x-gatun-mesh" xdg-mime query filetype mesh.gtn
 expect "application/x-gatun-mesh" gio info -a standard::content-type mesh.gtn
 expect "application/x-gatun-mesh" gio info -a standard::content-type mesh-without-extension
 expect "application-x-gatun-mesh" gio info -a standard::icon mesh.gtn
