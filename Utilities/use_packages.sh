@@ -159,7 +159,7 @@ expect "gatun-paraview.desktop" gio mime application/x-gatun-volume
 cat >draw.py <<'PYTHON'
 from paraview.simple import *
 
-reader = GatunReader(FileName="values.gtn")
+reader = GatunReader(FileNames=["values.gtn"])
 reader.UpdatePipeline()
 view = CreateView("RenderView")
 view.ViewSize = [320, 240]
