@@ -40,6 +40,7 @@ gatun_core_folder(Codec
     gatunNumberModel.h
     gatunPalette.h
     gatunPlaceGrid.h
+    gatunPlainDecoder.h
     gatunPlainKeys.h
     gatunPlaneCoder.h
     gatunPolygonCell.h

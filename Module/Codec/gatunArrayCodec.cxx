@@ -7,6 +7,7 @@
 #include "gatunExactValues.h"
 #include "gatunGuess.h"
 #include "gatunNeighborFit.h"
+#include "gatunPlainDecoder.h"
 #include "gatunQuadraticCoder.h"
 
 #include <algorithm>
@@ -287,10 +288,33 @@ void CodeComponent(
   }
 }
 
+/** Decodes several components at once if that is possible. */
+template <typename Coder, typename PlacesOf>
+bool DecodeTogether(Coder& coder, const ArrayModes& modes, const PlacesOf& places,
+  std::span<const Domain> domains, std::span<ComponentKeys> components)
+{
+  if constexpr (!Coder::Encoding)
+  {
+    const bool isPossible = modes.Spatial == SpatialMode::PlainQuadratic && components.size() > 1 &&
+      std::none_of(domains.begin(), domains.end(),
+        [](const Domain& domain) { return static_cast<bool>(domain.GetQuantizer()); });
+    if (isPossible)
+    {
+      DecodePlain(coder, modes.Temporal, places, domains, components);
+    }
+    return isPossible;
+  }
+  return false;
+}
+
 template <typename Coder>
 void CodePointComponents(Coder& coder, const ArrayModes& modes, const PointContext& context,
   std::span<const Domain> domains, std::span<ComponentKeys> components)
 {
+  if (DecodeTogether(coder, modes, OwnPoints{ context }, domains, components))
+  {
+    return;
+  }
   for (std::size_t c = 0; c < components.size(); ++c)
   {
     CodeComponent(coder, domains[c], false, components[c],
@@ -313,6 +337,11 @@ template <typename Coder>
 void CodeCellComponents(Coder& coder, const ArrayModes& modes, const CellContext& context,
   std::span<const Domain> domains, std::span<ComponentKeys> components)
 {
+  const auto number = components.empty() ? 0 : components.front().Now.size();
+  if (DecodeTogether(coder, modes, AllPlaces{ context, number }, domains, components))
+  {
+    return;
+  }
   // Other processes round values on blocks, too.
   for (std::size_t c = 0; c < components.size(); ++c)
   {

@@ -88,11 +88,14 @@ void QuadraticFit::FindWeights(const NeighborLists& lists, Places places,
     const auto count = static_cast<std::uint32_t>(lists.Of(i).size());
     this->Start.push_back(this->Start.back() + count);
   }
-  this->List.reserve(this->Start.back());
+  this->Ids.reserve(this->Start.back());
+  for (auto* weights : { &this->Quadratic, &this->Linear, &this->Shares })
+  {
+    weights->reserve(this->Start.back());
+  }
 
   const auto findWeights = GetBestQuadraticWeights();
   QuadraticLanes lanes;
-  std::array<Neighbor, NeighborLists::MaxNeighbors> neighbors;
   for (std::size_t first = 0; first < own; first += QuadraticLanes::Count)
   {
     const auto end = std::min(own, first + QuadraticLanes::Count);
@@ -112,13 +115,13 @@ void QuadraticFit::FindWeights(const NeighborLists& lists, Places places,
     {
       const auto list = lists.Of(i);
       const auto lane = i - first;
+      this->Ids.insert(this->Ids.end(), list.begin(), list.end());
       for (std::size_t k = 0; k < list.size(); ++k)
       {
-        neighbors[k] = { list[k], lanes.Quadratic[k][lane], lanes.Linear[k][lane],
-          lanes.Share[k][lane] };
+        this->Quadratic.push_back(lanes.Quadratic[k][lane]);
+        this->Linear.push_back(lanes.Linear[k][lane]);
+        this->Shares.push_back(lanes.Share[k][lane]);
       }
-      this->List.insert(this->List.end(), neighbors.begin(),
-        neighbors.begin() + static_cast<std::ptrdiff_t>(list.size()));
     }
   }
 }

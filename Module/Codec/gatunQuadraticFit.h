@@ -6,6 +6,7 @@
 
 #include "gatunNeighborLists.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,12 +23,15 @@ struct Topology;
 class QuadraticFit
 {
 public:
-  struct Neighbor
+  /** The neighbors of a place. */
+  struct Neighbors
   {
-    Vertex Id;
-    float Quadratic; ///< weight of the value in the quadratic function
-    float Linear;    ///< and in the linear one
-    float Share;     ///< of the neighbor's error in the error to expect; 0 for shared vertices
+    std::span<const Vertex> Ids;
+    const float* Quadratic; ///< weight of each value in the quadratic function
+    const float* Linear;    ///< and in the linear one
+    const float* Shares;    ///< of its error in the error to expect; 0 for shared vertices
+
+    std::size_t GetCount() const { return this->Ids.size(); }
   };
 
   /** places: coordinates of all vertices of the topology in the order of the walk. The calling
@@ -44,17 +48,19 @@ public:
   }
 
   /** As NeighborLists::Of. */
-  std::span<const Neighbor> Of(std::size_t ownVertex) const
+  Neighbors Of(std::size_t ownVertex) const
   {
-    return { this->List.data() + this->Start[ownVertex],
-      this->Start[ownVertex + 1] - this->Start[ownVertex] };
+    const std::size_t first = this->Start[ownVertex];
+    return { { this->Ids.data() + first, this->Start[ownVertex + 1] - first },
+      this->Quadratic.data() + first, this->Linear.data() + first, this->Shares.data() + first };
   }
 
   /** The memory of the lists. */
   std::size_t GetBytes() const
   {
-    return this->Start.capacity() * sizeof(std::uint32_t) +
-      this->List.capacity() * sizeof(Neighbor);
+    return this->Start.capacity() * sizeof(std::uint32_t) + this->Ids.capacity() * sizeof(Vertex) +
+      (this->Quadratic.capacity() + this->Linear.capacity() + this->Shares.capacity()) *
+      sizeof(float);
   }
 
 private:
@@ -62,7 +68,11 @@ private:
     std::span<const Vertex> centers, std::span<const std::uint8_t> isShared);
 
   std::vector<std::uint32_t> Start;
-  std::vector<Neighbor> List;
+  // Apart, because the loop over a neighborhood waits for memory, and may need two of them only.
+  std::vector<Vertex> Ids;
+  std::vector<float> Quadratic;
+  std::vector<float> Linear;
+  std::vector<float> Shares;
 };
 
 /** The weights of the cells around each cell, all cells being coded in their order. starts,

@@ -85,28 +85,12 @@ public:
   {
     QuadraticPrediction result;
     const auto neighbors = this->Fit.Of(own);
-    result.HasNeighbors = !neighbors.empty();
+    result.HasNeighbors = !neighbors.Ids.empty();
     result.Number = this->Last;
     if (result.HasNeighbors)
     {
-      const double first = this->Numbers[neighbors.front().Id];
-      const auto part = [&](const QuadraticFit::Neighbor& n)
-      { return static_cast<double>(n.Quadratic) * (this->Numbers[n.Id] - first); };
-      // Four sums, so that no addition has to wait for the one before.
-      std::array<double, 4> sums{};
-      std::size_t i = 0;
-      for (; i + 4 <= neighbors.size(); i += 4)
-      {
-        sums[0] += part(neighbors[i]);
-        sums[1] += part(neighbors[i + 1]);
-        sums[2] += part(neighbors[i + 2]);
-        sums[3] += part(neighbors[i + 3]);
-      }
-      for (; i < neighbors.size(); ++i)
-      {
-        sums[i % 4] += part(neighbors[i]);
-      }
-      result.Number = Add(first, (sums[0] + sums[1]) + (sums[2] + sums[3]));
+      const double first = this->Numbers[neighbors.Ids.front()];
+      result.Number = Add(first, this->SumUp(neighbors, first));
     }
     this->Predicted = result.Number;
     return result;
@@ -119,6 +103,34 @@ public:
   }
 
 private:
+  using Double2 = double __attribute__((vector_size(16)));
+
+  /** The sum over neighbors i of what each adds is four sums, of those with the same i % 4, so that
+   * no addition has to wait for the one before. */
+  [[gnu::noinline]] double SumUp(const QuadraticFit::Neighbors& neighbors, double first) const
+  {
+    const double* numbers = this->Numbers.data();
+    const Vertex* ids = neighbors.Ids.data();
+    const float* weights = neighbors.Quadratic;
+    const std::size_t count = neighbors.GetCount();
+    const Double2 base{ first, first };
+    Double2 low{}, high{};
+    std::size_t i = 0;
+    for (; i + 4 <= count; i += 4)
+    {
+      low += Double2{ weights[i], weights[i + 1] } *
+        (Double2{ numbers[ids[i]], numbers[ids[i + 1]] } - base);
+      high += Double2{ weights[i + 2], weights[i + 3] } *
+        (Double2{ numbers[ids[i + 2]], numbers[ids[i + 3]] } - base);
+    }
+    std::array<double, 4> sums{ low[0], low[1], high[0], high[1] };
+    for (; i < count; ++i)
+    {
+      sums[i % 4] += static_cast<double>(weights[i]) * (numbers[ids[i]] - first);
+    }
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+  }
+
   double Predicted = 0;
 };
 
@@ -143,13 +155,13 @@ public:
   {
     QuadraticPrediction result;
     const auto neighbors = this->Fit.Of(own);
-    if (neighbors.empty())
+    if (neighbors.Ids.empty())
     {
       result.Number = this->Last;
       this->Predicted = { this->Last, this->Last, this->Last, this->Last };
       return result;
     }
-    const double first = this->Numbers[neighbors.front().Id];
+    const double first = this->Numbers[neighbors.Ids.front()];
     const Sums sums = this->SumUp(neighbors, first);
     const double a = Add(first, sums.Fits[0]);
     const double b = Add(first, sums.Fits[1]);
@@ -190,20 +202,22 @@ private:
     std::uint32_t Shares = 0; // the bits of any
   };
 
-  [[gnu::noinline]] Sums SumUp(
-    std::span<const QuadraticFit::Neighbor> neighbors, double first) const
+  [[gnu::noinline]] Sums SumUp(const QuadraticFit::Neighbors& neighbors, double first) const
   {
+    const double* numbers = this->Numbers.data();
     Double2 fits{}, errorsOfFits{}, errorsOfRest{};
     std::uint32_t shares = 0;
-    for (const auto& n : neighbors)
+    for (std::size_t i = 0; i < neighbors.GetCount(); ++i)
     {
-      const double difference = this->Numbers[n.Id] - first;
-      const double share = n.Share;
-      const double* known = this->Errors[n.Id].data();
-      fits += Double2{ n.Quadratic, n.Linear } * Double2{ difference, difference };
+      const Vertex id = neighbors.Ids[i];
+      const double difference = numbers[id] - first;
+      const double share = neighbors.Shares[i];
+      const double* known = this->Errors[id].data();
+      fits +=
+        Double2{ neighbors.Quadratic[i], neighbors.Linear[i] } * Double2{ difference, difference };
       errorsOfFits += Double2{ share, share } * Double2{ known[0], known[1] };
       errorsOfRest += Double2{ share, share } * Double2{ known[2], known[3] };
-      shares |= std::bit_cast<std::uint32_t>(n.Share);
+      shares |= std::bit_cast<std::uint32_t>(neighbors.Shares[i]);
     }
     return { fits, errorsOfFits, errorsOfRest, shares };
   }

@@ -33,7 +33,7 @@ struct ArrayInput
 
   /** The part of their size that streams must save to be decoded more slowly. What changes with
    * time is decoded for every picture. */
-  std::size_t GetMargin() const { return this->IsPoints || this->Before ? 6 : QuadraticMargin; }
+  std::size_t GetMargin() const { return this->IsPoints || this->Before ? 3 : QuadraticMargin; }
 
   const std::uint8_t* At(const std::uint8_t* values, std::size_t tuple, std::size_t component) const
   {

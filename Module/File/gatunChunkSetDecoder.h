@@ -55,6 +55,8 @@ private:
   void StoreChunk(Job& job, std::size_t i, const ChunkMesh& mesh) const;
   void StorePoints(const Job& job, std::size_t i, const ChunkMesh& mesh, const OrderPart* points,
     const Places& places) const;
+  void StoreCellPlaces(const Job& job, std::size_t i, const ChunkMesh& mesh, const OrderPart* order,
+    const Places& places, auto&& cellOf) const;
   std::vector<std::uint64_t> FindIds(
     const Job& job, std::size_t i, const ChunkMesh& mesh, const Places& points) const;
   void StoreTets(const Job& job, std::size_t i, const ChunkMesh& mesh,

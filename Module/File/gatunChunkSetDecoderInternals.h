@@ -118,6 +118,14 @@ struct ChunkSetDecoder::Job
   mutable std::vector<std::atomic<bool>> PointTaken;
   mutable std::vector<std::atomic<bool>> CellTaken;
 
+  /** Whether anything is wanted of each cell but its corners and values. A step of a mesh that is
+   * there already needs nothing. */
+  bool NeedsCellPlaces() const
+  {
+    return !this->CellTaken.empty() || this->Target.GlobalCellIds || this->Target.FileCells ||
+      this->Target.CellGhosts || this->Target.CellParents;
+  }
+
   void TakePoint(std::uint64_t place) const { this->Take(this->PointTaken, place, "point "); }
   void TakeCell(std::uint64_t place) const { this->Take(this->CellTaken, place, "cell "); }
 

@@ -100,6 +100,43 @@ void ChunkSetDecoder::StorePoints(const Job& job, std::size_t i, const ChunkMesh
 }
 
 //------------------------------------------------------------------------------
+/** Stores where the cells of a chunk come from. cellOf: gives the cell of the chunk for each cell
+ * of the target. */
+void ChunkSetDecoder::StoreCellPlaces(const Job& job, std::size_t i, const ChunkMesh& mesh,
+  const OrderPart* order, const Places& places, auto&& cellOf) const
+{
+  const auto& info = this->Content().GetTables().GetChunks()[this->Set.GetChunks()[i]];
+  const auto& target = job.Target;
+  const Places cellIds{ order, info.FirstCell };
+  const auto count = static_cast<std::size_t>(this->Set.GetNumberOfCells(i));
+  const bool knowsParents = info.IsTetrahedral && !places.Order && !job.RestoreCorners;
+  const auto first = static_cast<std::uint32_t>(this->Set.GetFirstCell(i));
+  for (std::size_t c = 0; c < count; ++c)
+  {
+    const auto place = places(c);
+    job.TakeCell(place);
+    if (target.GlobalCellIds)
+    {
+      target.GlobalCellIds[place] = static_cast<std::int64_t>(cellIds(cellOf(c)));
+    }
+    if (target.FileCells)
+    {
+      target.FileCells[place] = info.FirstCell + cellOf(c);
+    }
+    if (target.CellGhosts)
+    {
+      target.CellGhosts[place] = 0;
+    }
+    if (target.CellParents)
+    {
+      const auto parent = knowsParents ? mesh.Walk.Parents[c] : Topology::NoTet;
+      target.CellParents[place] =
+        parent != Topology::NoTet ? first + parent : PieceTarget::NoParent;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void ChunkSetDecoder::StoreChunk(Job& job, std::size_t i, const ChunkMesh& mesh) const
 {
   const auto chunk = this->Set.GetChunks()[i];
@@ -120,7 +157,6 @@ void ChunkSetDecoder::StoreChunk(Job& job, std::size_t i, const ChunkMesh& mesh)
   const Places pointPlaces{ job.RestorePoints ? points.get() : nullptr,
     this->Set.GetFirstOwnPoint(i) };
   const Places cellPlaces{ job.RestoreCells ? cells.get() : nullptr, this->Set.GetFirstCell(i) };
-  const Places cellIds{ cells.get(), info.FirstCell };
   this->StorePoints(job, i, mesh, points.get(), pointPlaces);
 
   // Several tetrahedra may have the values of one cell.
@@ -132,30 +168,9 @@ void ChunkSetDecoder::StoreChunk(Job& job, std::size_t i, const ChunkMesh& mesh)
   }
   const auto cellOf = [&](std::size_t c) { return isSplit ? split.Cells[c] : c; };
   const auto count = static_cast<std::size_t>(this->Set.GetNumberOfCells(i));
-  const bool knowsParents = info.IsTetrahedral && !cellPlaces.Order && !job.RestoreCorners;
-  const auto first = static_cast<std::uint32_t>(this->Set.GetFirstCell(i));
-  for (std::size_t c = 0; c < count; ++c)
+  if (job.NeedsCellPlaces())
   {
-    const auto place = cellPlaces(c);
-    job.TakeCell(place);
-    if (target.GlobalCellIds)
-    {
-      target.GlobalCellIds[place] = static_cast<std::int64_t>(cellIds(cellOf(c)));
-    }
-    if (target.FileCells)
-    {
-      target.FileCells[place] = info.FirstCell + cellOf(c);
-    }
-    if (target.CellGhosts)
-    {
-      target.CellGhosts[place] = 0;
-    }
-    if (target.CellParents)
-    {
-      const auto parent = knowsParents ? mesh.Walk.Parents[c] : Topology::NoTet;
-      target.CellParents[place] =
-        parent != Topology::NoTet ? first + parent : PieceTarget::NoParent;
-    }
+    this->StoreCellPlaces(job, i, mesh, cells.get(), cellPlaces, cellOf);
   }
   if (this->Set.GetForm() == PieceForm::Original)
   {

@@ -21,6 +21,7 @@
 #include <memory>
 #include <random>
 #include <set>
+#include <span>
 #include <utility>
 
 namespace
@@ -241,16 +242,17 @@ TEST(QuadraticFit, PredictsQuadraticFunctions)
   for (std::size_t own = 0; own < mesh.Context.OwnIds.size(); ++own)
   {
     const auto neighbors = mesh.Quadratic->Of(own);
-    if (neighbors.size() < NeighborLists::MaxNeighbors)
+    if (neighbors.GetCount() < NeighborLists::MaxNeighbors)
     {
       continue;
     }
     const double truth = value(places[mesh.Context.OwnIds[own]]);
     double a = 0, b = 0;
-    for (const auto& n : neighbors)
+    for (std::size_t i = 0; i < neighbors.GetCount(); ++i)
     {
-      a += n.Quadratic * (value(places[n.Id]) - truth);
-      b += n.Linear * (value(places[n.Id]) - truth);
+      const double difference = value(places[neighbors.Ids[i]]) - truth;
+      a += neighbors.Quadratic[i] * difference;
+      b += neighbors.Linear[i] * difference;
     }
     quadratic += std::abs(a);
     linear += std::abs(b);
@@ -291,12 +293,12 @@ TEST(QuadraticFit, WeightsOfSingularNeighborhoodsAreFiniteAndSmall)
   {
     const auto neighbors = mesh.Quadratic->Of(own);
     double quadratic = 0, linear = 0, share = 0;
-    for (const auto& n : neighbors)
+    for (std::size_t i = 0; i < neighbors.GetCount(); ++i)
     {
-      quadratic += std::abs(n.Quadratic);
-      linear += std::abs(n.Linear);
-      share += n.Share;
-      equal += n.Quadratic == 1 / static_cast<float>(neighbors.size());
+      quadratic += std::abs(neighbors.Quadratic[i]);
+      linear += std::abs(neighbors.Linear[i]);
+      share += neighbors.Shares[i];
+      equal += neighbors.Quadratic[i] == 1 / static_cast<float>(neighbors.GetCount());
     }
     EXPECT_LE(quadratic, 1.001e4);
     EXPECT_LE(linear, 1.001e4);
@@ -406,6 +408,69 @@ TEST(QuadraticFit, ValuesThatAreNotFiniteRoundTrip)
       keys.Before[v] = domain.Read(&odd[v % count]);
     }
     ExpectQuadraticRoundTrip(mesh, domain, keys);
+  }
+}
+
+/** Encodes one component after the other by the mode plain quadratic, and decodes all of them. */
+void ExpectComponentsRoundTrip(const ChunkMesh& mesh, std::span<const Domain> domains,
+  TemporalMode temporal, const std::vector<ComponentKeys>& truth)
+{
+  const FloatEnvironment guard;
+  EntropyEncoder encoder;
+  auto keys = truth;
+  for (std::size_t c = 0; c < keys.size(); ++c)
+  {
+    CodeQuadratic(encoder, SpatialMode::PlainQuadratic, temporal, OwnPoints{ mesh.Context },
+      ExactValues(domains[c]), keys[c]);
+    for (const auto v : mesh.Context.OwnIds)
+    {
+      keys[c].Now[v] = 0;
+    }
+  }
+  Bytes stream{ static_cast<std::uint8_t>(SpatialMode::PlainQuadratic),
+    static_cast<std::uint8_t>(temporal) };
+  const auto body = encoder.Finish();
+  stream.insert(stream.end(), body.begin(), body.end());
+  DecodePointValues(stream, mesh.Context, domains, keys);
+  for (std::size_t c = 0; c < keys.size(); ++c)
+  {
+    EXPECT_EQ(keys[c].Now, truth[c].Now) << "component " << c << " of " << keys.size();
+  }
+}
+
+TEST(QuadraticFit, ComponentsDecodedTogetherAreThoseEncodedOneByOne)
+{
+  const auto meshHeld = MakeMesh(8);
+  const auto& mesh = *meshHeld;
+  const std::array odd{ NaN, Inf, -Inf, -0.0, 1e38, -1e38 };
+  for (const auto type : { ScalarType::Float32, ScalarType::Float64, ScalarType::Int32 })
+  {
+    const Domain domain(type);
+    const auto toKey = [&](double number)
+    {
+      const auto single = static_cast<float>(number);
+      return type == ScalarType::Float32 ? domain.Read(&single)
+        : type == ScalarType::Float64    ? domain.Read(&number)
+                                         : domain.FromNumber(number);
+    };
+    for (std::size_t count = 1; count <= 9; ++count)
+    {
+      std::vector<ComponentKeys> keys;
+      for (std::size_t c = 0; c < count; ++c)
+      {
+        const double factor = (type == ScalarType::Int32 ? 1e6 : 1) * (1 + static_cast<double>(c));
+        keys.push_back(MakeKeys(mesh, domain, factor));
+        keys[c].Before = MakeKeys(mesh, domain, 1.01 * factor).Now;
+        for (std::size_t v = c; v < keys[c].Now.size() && count > 4; v += 17 + c)
+        {
+          keys[c].Now[v] = toKey(odd[v % odd.size()]);
+          keys[c].Before[(v + 1) % keys[c].Before.size()] = toKey(odd[(v + 1) % odd.size()]);
+        }
+      }
+      const std::vector<Domain> domains(count, domain);
+      ExpectComponentsRoundTrip(mesh, domains, TemporalMode::None, keys);
+      ExpectComponentsRoundTrip(mesh, domains, TemporalMode::Change, keys);
+    }
   }
 }
 

@@ -195,9 +195,10 @@ TEST(QuadraticPlaces, BlocksOfOddPlacesHaveLists)
     EXPECT_EQ(lists.Of(4999).size(), NeighborLists::MaxNeighbors);
     const FloatEnvironment guard;
     const QuadraticFit fit(places);
-    for (const auto& n : fit.Of(4999))
+    const auto last = fit.Of(4999);
+    for (std::size_t i = 0; i < last.GetCount(); ++i)
     {
-      EXPECT_TRUE(std::isfinite(n.Quadratic) && std::isfinite(n.Linear));
+      EXPECT_TRUE(std::isfinite(last.Quadratic[i]) && std::isfinite(last.Linear[i]));
     }
   }
 }
