@@ -265,7 +265,10 @@ void TimeSeries(const Options& options)
   {
     std::swap(random[i - 1], random[engine() % i]);
   }
+  const std::vector<std::size_t> first{ 0 };
   std::vector<Operation> operations{
+    { "gtn first", [&] { StepThroughGatun(series, first); } },
+    { "vtu-zlib first", [&] { StepThroughVtu(series, first); } },
     { "gtn forward", [&] { StepThroughGatun(series, forward); } },
     { "vtu-zlib forward", [&] { StepThroughVtu(series, forward); } },
     { "gtn at random", [&] { StepThroughGatun(series, random); } },

@@ -34,6 +34,17 @@ def faster(one, way):
     return rounds_of(zip(seconds(one, f"vtu-zlib {way}"), seconds(one, f"gtn {way}")))
 
 
+def later_seconds(one, name):
+    """Seconds a step after the first one, forward, by round."""
+    return [max(whole - first, 1e-9) / (one["steps"] - 1)
+            for whole, first in zip(seconds(one, f"{name} forward"), seconds(one, f"{name} first"))]
+
+
+def faster_later(one):
+    """By round, at steps after the first one."""
+    return rounds_of(zip(later_seconds(one, "vtu-zlib"), later_seconds(one, "gtn")))
+
+
 def _head(results):
     return "# Time series\n\n" + paragraph("""Sizes of a `.gtn` file with many time steps ([guide](../time-series.md))
         and the time to step through it, beside a zlib `.vtu` file for each step. `Utilities/bench.sh --series`
@@ -48,8 +59,9 @@ def _method(results):
         points move, the mesh bends, twists and swells smoothly, too. There are {one["steps"]} steps. With
         *rel:0.0001*, the array has an error of at most 1e-4 of its range, and coordinates one of at most 1e-4 of the
         longest side; `.vtu` files have all values without loss. A *step* is an update of vtkGatunReader, or of
-        vtkXMLUnstructuredGridReader with the next file, to a whole vtkUnstructuredGrid in memory. Times include the
-        first step, which also reads the mesh. Files are in the page cache. Prefetching, which hides part of the time
+        vtkXMLUnstructuredGridReader with the next file, to a whole vtkUnstructuredGrid in memory. Times *forward* and
+        *at random* include the first step, at which the mesh is read, too; *to the next step* is the time forward
+        without that of the first step, by the number of other steps. Files are in the page cache. Prefetching, which hides part of the time
         in an interactive session, is off.""")
 
 
@@ -61,7 +73,9 @@ def _goal_rows(results):
     for one in results["series"]:
         if one["moving"]:
             add(f"bytes of .vtu / ours, {label(one)}", smaller(one), SIZE_GOALS[one["error"]])
-            add(f"time of .vtu / ours, forward, {label(one)}", statistics.median(faster(one, "forward")), STEP_GOAL)
+            add(f"time of .vtu / ours, to the next step, {label(one)}", statistics.median(faster_later(one)), STEP_GOAL)
+            add(f"time of .vtu / ours, forward with the first step, {label(one)}",
+                statistics.median(faster(one, "forward")), STEP_GOAL)
     return rows
 
 
@@ -75,6 +89,8 @@ def _sizes(results, plots):
 def _steps(results):
     rows = []
     for one in results["series"]:
+        cells = [spread([1000 * s for s in later_seconds(one, name)], number) for name in ("vtu-zlib", "gtn")]
+        rows.append((label(one), "to the next step", *cells, spread(faster_later(one), ratio)))
         for way in WAYS:
             cells = [spread([1000 * s / one["steps"] for s in seconds(one, f"{name} {way}")], number)
                      for name in ("vtu-zlib", "gtn")]
@@ -87,7 +103,7 @@ def _steps(results):
 def conclude(results):
     """The main result, for the page in front of the studies."""
     parts = [f"{label(one)}: {ratio(smaller(one))} times smaller and, step by step, "
-             f"{ratio(statistics.median(faster(one, 'forward')))} times as fast" for one in results["series"]]
+             f"{ratio(statistics.median(faster_later(one)))} times as fast" for one in results["series"]]
     missed = [row[0] for row in _goal_rows(results) if row[-1] == "not met"]
     return ("A `.gtn` file of a whole series, beside a zlib `.vtu` file for each step: " + "; ".join(parts) + ". "
             + ("All goals are met." if not missed else f"Goals that are not met: {'; '.join(missed)}."))
