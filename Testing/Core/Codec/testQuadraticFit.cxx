@@ -448,8 +448,8 @@ TEST(QuadraticFit, ComponentsDecodedTogetherAreThoseEncodedOneByOne)
     const Domain domain(type);
     const auto toKey = [&](double number)
     {
-      const auto single = static_cast<float>(number);
-      return type == ScalarType::Float32 ? domain.Read(&single)
+      const std::array single{ static_cast<float>(number), 0.0F }; // as long as a double
+      return type == ScalarType::Float32 ? domain.Read(single.data())
         : type == ScalarType::Float64    ? domain.Read(&number)
                                          : domain.FromNumber(number);
     };
