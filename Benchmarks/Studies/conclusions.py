@@ -8,6 +8,7 @@ import statistics
 import benchmarkReport
 import budgetReport
 import cellsReport
+import clientReport
 import detailReport
 import errorReport
 import isosurfaceReport
@@ -258,6 +259,7 @@ SECTIONS = (
     ("volume-study", "Volumes", "Hartley coefficients, compared with voxels and zfp", _volumes),
     ("errors-study", "Arrays with bounded errors", "Bits a value, beside SZ3 and zfp", errorReport.conclude),
     ("series-study", "Time series", "Sizes and steps, beside a .vtu file for each step", seriesReport.conclude),
+    ("client-study", "ParaView's client", "File to first image and memory in the window", clientReport.conclude),
 )
 
 

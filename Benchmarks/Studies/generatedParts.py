@@ -24,7 +24,8 @@ PAGES = {"summary": "summaryReport", "benchmarks": "benchmarkReport", "speed": "
          "detail-study": "detailReport",
          "simplification-study": "simplificationReport", "isosurface-study": "isosurfaceReport",
          "surface-study": "surfaceReport", "volume-study": "volumeReport",
-         "errors-study": "errorReport", "series-study": "seriesReport"}
+         "errors-study": "errorReport", "series-study": "seriesReport",
+         "client-study": "clientReport"}
 BEGIN, END = "<!-- written by Utilities/bench.sh --readme -->\n", "<!-- end -->\n"
 
 
