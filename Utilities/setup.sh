@@ -330,7 +330,7 @@ run_guide() {
     "${packages_paraview[@]}"
   find_paraview
   build_vtk
-  build_paraview
+  build_paraview paraview
   GATUN_BUILD=$build/release exec "$root/Utilities/guide.sh" "$@"
 }
 
