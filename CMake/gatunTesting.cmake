@@ -342,7 +342,7 @@ endfunction ()
 #
 # The build unpacks the archive into the folder Corpus/<name> of the build tree. In every build the
 # test fuzz.<name> runs the target on its inputs. With GATUN_BUILD_FUZZERS there is also the libFuzzer
-# program fuzz-<name>, which fuzz.<name>-short runs for some seconds.
+# program fuzz-<name>, which fuzz.<name>-short runs for some seconds; the target fuzzers builds them all.
 function (gatun_add_fuzz_target name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "CORPUS" "SOURCES;LINK")
   _gatun_test_prefix()
@@ -374,6 +374,7 @@ function (gatun_add_fuzz_target name)
     target_link_libraries("fuzz-${name}" PRIVATE gatunFuzzSupport ${arg_LINK} gatunTestFlags)
     target_link_options("fuzz-${name}" PRIVATE -fsanitize=fuzzer)
     add_dependencies("fuzz-${name}" "fuzz-regression-${name}")
+    add_dependencies(fuzzers "fuzz-${name}")
     set(found "${GATUN_TEST_TEMP}/fuzz-${name}")
     file(MAKE_DIRECTORY "${found}")
     gatun_add_test(

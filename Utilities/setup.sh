@@ -318,8 +318,9 @@ run_soak() {
   install_packages "${packages_build[@]}" "${packages_test[@]}" "${packages_soak[@]}"
   build_vtk -DGATUN_BUILD_TESTING=ON
   cmake --build "$build/release" --parallel "$jobs" --target damageFile
-  build_tree fuzz
-  cmake --build "$build/fuzz" --parallel "$jobs" --target makeCorpus
+  say "Building fuzzers in $build/fuzz"
+  configure_tree fuzz
+  cmake --build "$build/fuzz" --parallel "$jobs" --target fuzzers
   build_tree asan-ubsan
   build_tree tsan
   exec /usr/bin/python3 -B "$root/Utilities/soak/soak.py" --build "$build" --jobs "$jobs" "$@"

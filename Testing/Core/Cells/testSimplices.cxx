@@ -290,9 +290,10 @@ TEST(Simplices, OfAllKindsOfCellsFit)
   EXPECT_NEAR(volume, n * n * n, 1e-9);
   const auto boundary = FindBoundary(tets);
   EXPECT_EQ(boundary.size(), 6 * 2 * n * n);
-  for (const auto& [triangle, count] : boundary)
+  for (const auto& side : boundary)
   {
-    EXPECT_EQ(count, 1);
+    const auto& triangle = side.first;
+    EXPECT_EQ(side.second, 1);
     const auto isOnSide = [&](unsigned axis, double where)
     {
       return std::all_of(triangle.begin(), triangle.end(),
