@@ -8,6 +8,7 @@ gatun_core_folder(Codec
   PRIVATE_HEADERS
     gatunArrayCodec.h
     gatunAttachedNodes.h
+    gatunBoundedSteps.h
     gatunBoundedValues.h
     gatunCandidate.h
     gatunCellBuilder.h
@@ -40,8 +41,9 @@ gatun_core_folder(Codec
     gatunNumberModel.h
     gatunPalette.h
     gatunPlaceGrid.h
-    gatunPlainDecoder.h
+    gatunPlainCoder.h
     gatunPlainKeys.h
+    gatunPlainResiduals.h
     gatunPlaneCoder.h
     gatunPolygonCell.h
     gatunPolygonFront.h

@@ -7,7 +7,7 @@
 #include "gatunExactValues.h"
 #include "gatunGuess.h"
 #include "gatunNeighborFit.h"
-#include "gatunPlainDecoder.h"
+#include "gatunPlainCoder.h"
 #include "gatunQuadraticCoder.h"
 
 #include <algorithm>
@@ -271,7 +271,7 @@ void CodeComponent(
   bool isExact = true;
   if (domain.GetQuantizer())
   {
-    isExact = Coder::Encoding && BoundedValues::AreTooFine(domain, keys.Now);
+    isExact = Coder::Encoding && AreStepsTooFine(domain, keys.Now);
     isExact = coder.Raw(isExact, 1) != 0;
   }
   if (!isExact)
@@ -288,31 +288,13 @@ void CodeComponent(
   }
 }
 
-/** Decodes several components at once if that is possible. */
-template <typename Coder, typename PlacesOf>
-bool DecodeTogether(Coder& coder, const ArrayModes& modes, const PlacesOf& places,
-  std::span<const Domain> domains, std::span<ComponentKeys> components)
-{
-  if constexpr (!Coder::Encoding)
-  {
-    const bool isPossible = modes.Spatial == SpatialMode::PlainQuadratic && components.size() > 1 &&
-      std::none_of(domains.begin(), domains.end(),
-        [](const Domain& domain) { return static_cast<bool>(domain.GetQuantizer()); });
-    if (isPossible)
-    {
-      DecodePlain(coder, modes.Temporal, places, domains, components);
-    }
-    return isPossible;
-  }
-  return false;
-}
-
 template <typename Coder>
 void CodePointComponents(Coder& coder, const ArrayModes& modes, const PointContext& context,
   std::span<const Domain> domains, std::span<ComponentKeys> components)
 {
-  if (DecodeTogether(coder, modes, OwnPoints{ context }, domains, components))
+  if (modes.Spatial == SpatialMode::PlainQuadratic)
   {
+    CodePlain(coder, modes.Temporal, OwnPoints{ context }, false, domains, components);
     return;
   }
   for (std::size_t c = 0; c < components.size(); ++c)
@@ -320,10 +302,9 @@ void CodePointComponents(Coder& coder, const ArrayModes& modes, const PointConte
     CodeComponent(coder, domains[c], false, components[c],
       [&](auto&& values)
       {
-        if (IsQuadratic(modes.Spatial))
+        if (modes.Spatial == SpatialMode::Quadratic)
         {
-          CodeQuadratic(
-            coder, modes.Spatial, modes.Temporal, OwnPoints{ context }, values, components[c]);
+          CodeQuadratic(coder, modes.Temporal, OwnPoints{ context }, values, components[c]);
         }
         else
         {
@@ -337,21 +318,23 @@ template <typename Coder>
 void CodeCellComponents(Coder& coder, const ArrayModes& modes, const CellContext& context,
   std::span<const Domain> domains, std::span<ComponentKeys> components)
 {
-  const auto number = components.empty() ? 0 : components.front().Now.size();
-  if (DecodeTogether(coder, modes, AllPlaces{ context, number }, domains, components))
+  // Other processes round values on blocks, too.
+  const bool onLattice = context.IsBlock();
+  if (modes.Spatial == SpatialMode::PlainQuadratic)
   {
+    const auto number = components.empty() ? 0 : components.front().Now.size();
+    CodePlain(coder, modes.Temporal, AllPlaces{ context, number }, onLattice, domains, components);
     return;
   }
-  // Other processes round values on blocks, too.
   for (std::size_t c = 0; c < components.size(); ++c)
   {
-    CodeComponent(coder, domains[c], context.IsBlock(), components[c],
+    CodeComponent(coder, domains[c], onLattice, components[c],
       [&](auto&& values)
       {
-        if (IsQuadratic(modes.Spatial))
+        if (modes.Spatial == SpatialMode::Quadratic)
         {
-          CodeQuadratic(coder, modes.Spatial, modes.Temporal,
-            AllPlaces{ context, components[c].Now.size() }, values, components[c]);
+          CodeQuadratic(coder, modes.Temporal, AllPlaces{ context, components[c].Now.size() },
+            values, components[c]);
         }
         else
         {
@@ -368,27 +351,46 @@ bool HaveBefore(std::span<const ComponentKeys> components)
 }
 
 /** How slowly streams of a mode are decoded. */
-int GetSlowness(SpatialMode mode)
+int GetSlowness(SpatialMode mode, bool hasWeights)
 {
-  return mode == SpatialMode::Quadratic ? 2 : mode == SpatialMode::PlainQuadratic ? 1 : 0;
+  switch (mode)
+  {
+    case SpatialMode::Quadratic:
+      return 3;
+    case SpatialMode::PlainQuadratic:
+      return hasWeights ? 0 : 2;
+    default:
+      return 1;
+  }
 }
 
-/** Whether a stream of this size, with these modes, is to replace another one. */
-bool IsBetter(const ArrayModes& modes, std::size_t size, const Bytes& best, std::size_t margin)
+/** Whether a stream of this size, with these modes, is to replace another one of so many values. */
+bool IsBetter(const ArrayModes& modes, std::size_t size, const Bytes& best, std::size_t values,
+  const ModeChoice& choice)
 {
-  const bool isSlower = GetSlowness(modes.Spatial) > GetSlowness(ArrayModes::Read(best).Spatial);
-  return isSlower ? size + size / margin < best.size() : size < best.size();
+  const auto slowness = [&](SpatialMode mode) { return GetSlowness(mode, choice.HasWeights); };
+  const int slower = slowness(modes.Spatial) - slowness(ArrayModes::Read(best).Spatial);
+  const auto isWorthIt = [&](std::size_t small, std::size_t large)
+  {
+    const auto least =
+      static_cast<std::size_t>(choice.BitsOfValue * static_cast<double>(values) / 8);
+    return small + std::max(small / choice.Part, least) < large;
+  };
+  return slower > 0 ? isWorthIt(size, best.size())
+    : slower < 0    ? !isWorthIt(best.size(), size)
+                    : size < best.size();
 }
 
 /** Encodes with all possible combinations of modes and returns the best stream. */
 template <typename Code>
 Bytes EncodeBest(std::span<const SpatialMode> spatial, std::span<const Domain> domains,
-  std::span<ComponentKeys> components, std::size_t margin, Code&& code)
+  std::span<ComponentKeys> components, const ModeChoice& choice, Code&& code)
 {
   // The values that readers will have depend on the modes if they are rounded.
   const bool areRounded = std::any_of(domains.begin(), domains.end(),
     [](const Domain& domain) { return static_cast<bool>(domain.GetQuantizer()); });
   const bool hasBefore = HaveBefore(components);
+  const auto values = components.empty() ? 0 : components.size() * components.front().Now.size();
   Bytes best;
   std::vector<ComponentKeys> trial, rounded;
   const auto attempt = [&](const ArrayModes& modes)
@@ -400,7 +402,7 @@ Bytes EncodeBest(std::span<const SpatialMode> spatial, std::span<const Domain> d
     }
     code(coder, modes, areRounded ? std::span<ComponentKeys>(trial) : components);
     auto body = coder.Finish();
-    if (best.empty() || IsBetter(modes, body.size() + 2, best, margin))
+    if (best.empty() || IsBetter(modes, body.size() + 2, best, values, choice))
     {
       best.clear();
       best.push_back(static_cast<std::uint8_t>(modes.Spatial));
@@ -451,7 +453,7 @@ ArrayModes ArrayModes::Read(std::span<const std::uint8_t> stream)
 }
 
 Bytes EncodePointValues(const PointContext& context, std::span<const Domain> domains,
-  std::span<ComponentKeys> components, std::size_t margin)
+  std::span<ComponentKeys> components, const ModeChoice& choice)
 {
   std::vector<SpatialMode> modes{ SpatialMode::Gate, SpatialMode::Previous };
   if (context.Fit)
@@ -463,7 +465,7 @@ Bytes EncodePointValues(const PointContext& context, std::span<const Domain> dom
     // Last, because each must beat all faster ones by a margin.
     modes.insert(modes.end(), { SpatialMode::PlainQuadratic, SpatialMode::Quadratic });
   }
-  return EncodeBest(modes, domains, components, margin,
+  return EncodeBest(modes, domains, components, choice,
     [&](EntropyEncoder& coder, const ArrayModes& chosen, std::span<ComponentKeys> keys)
     { CodePointComponents(coder, chosen, context, domains, keys); });
 }
@@ -483,7 +485,7 @@ void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext&
 }
 
 Bytes EncodeCellValues(const CellContext& context, std::span<const Domain> domains,
-  std::span<ComponentKeys> components, std::size_t margin)
+  std::span<ComponentKeys> components, const ModeChoice& choice)
 {
   std::vector<SpatialMode> modes{ SpatialMode::Previous };
   if (!context.IsBlock())
@@ -494,7 +496,7 @@ Bytes EncodeCellValues(const CellContext& context, std::span<const Domain> domai
   {
     modes.insert(modes.end(), { SpatialMode::PlainQuadratic, SpatialMode::Quadratic });
   }
-  return EncodeBest(modes, domains, components, margin,
+  return EncodeBest(modes, domains, components, choice,
     [&](EntropyEncoder& coder, const ArrayModes& chosen, std::span<ComponentKeys> keys)
     { CodeCellComponents(coder, chosen, context, domains, keys); });
 }

@@ -28,22 +28,26 @@ struct ArrayModes
   static ArrayModes Read(std::span<const std::uint8_t> stream);
 };
 
-/** A stream with quadratic functions must save this part of its size over those of faster modes,
- * because it is decoded more slowly. */
-constexpr std::size_t QuadraticMargin = 64;
+/** What a stream must save to be decoded more slowly than another one. */
+struct ModeChoice
+{
+  std::size_t Part = 64;   ///< 1 by this of its size
+  double BitsOfValue = 0;  ///< and so many bits a value
+  bool HasWeights = false; ///< whether readers have the weights of quadratic functions by then
+};
 
 /** Encodes own points with all modes and returns the shortest stream. Components of domains with a
  * quantizer get the keys that readers will have. Where these are on a lattice, the keys must be
  * those of its places, if there are such (Quantizer::ToLattice). */
 Bytes EncodePointValues(const PointContext& context, std::span<const Domain> domains,
-  std::span<ComponentKeys> components, std::size_t margin = QuadraticMargin);
+  std::span<ComponentKeys> components, const ModeChoice& choice = {});
 void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext& context,
   std::span<const Domain> domains, std::span<ComponentKeys> components);
 
 /** Encodes values of the cells of a chunk, or on the points of a block: those of domains with a
  * quantizer are on its lattice. */
 Bytes EncodeCellValues(const CellContext& context, std::span<const Domain> domains,
-  std::span<ComponentKeys> components, std::size_t margin = QuadraticMargin);
+  std::span<ComponentKeys> components, const ModeChoice& choice = {});
 void DecodeCellValues(std::span<const std::uint8_t> stream, const CellContext& context,
   std::span<const Domain> domains, std::span<ComponentKeys> components);
 }

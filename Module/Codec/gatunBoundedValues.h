@@ -4,11 +4,11 @@
 #ifndef gatunBoundedValues_h
 #define gatunBoundedValues_h
 
+#include "gatunBoundedSteps.h"
 #include "gatunDomain.h"
 #include "gatunEntropy.h"
 #include "gatunGuess.h"
 #include "gatunNumberModel.h"
-#include "gatunQuantizer.h"
 #include "gatunResidual.h"
 
 #include <algorithm>
@@ -35,12 +35,7 @@ public:
    * already, and are to be coded as they are. */
   BoundedValues(const Domain& domain, std::size_t count, bool onLattice)
     : Values(domain)
-    , Rounding(domain.GetQuantizer())
-    , OnLattice(onLattice)
-    , RoundsKeys(this->Rounding.RoundsKeys(domain.GetType()))
-    , Zero(domain.FromNumber(0))
-    , KeyStep(this->RoundsKeys ? static_cast<std::uint64_t>(this->Rounding.Step) : 0)
-    , Width(2 * this->Rounding.Step)
+    , Rule(domain, domain.GetQuantizer(), onLattice)
     , Steps(count, Unknown)
   {
   }
@@ -74,13 +69,13 @@ public:
   Key Code(Coder& coder, const Guess& guess, std::size_t place, Key truth)
   {
     const auto context = this->TakeContext(guess);
-    const Origin origin = this->FindOrigin(guess);
+    const auto origin = this->Rule.FindOrigin(guess);
     std::int64_t steps = 0;
     bool isSpecial = false;
     Key key = truth;
     if constexpr (Coder::Encoding)
     {
-      isSpecial = !this->FindSteps(origin, truth, steps, key);
+      isSpecial = !this->Rule.FindSteps(origin, truth, steps, key);
     }
     isSpecial = coder.Bit(this->Special[this->WasSpecial], isSpecial);
     this->WasSpecial = isSpecial;
@@ -93,47 +88,15 @@ public:
     this->Steps[place] = static_cast<std::int32_t>(kept);
     const auto magnitude = static_cast<std::uint64_t>(kept < 0 ? -kept : kept);
     this->Mean += (magnitude << 4) - (this->Mean >> 4);
-    return Coder::Encoding ? key : this->GetKey(origin, steps);
-  }
-
-  /** Whether exact values take fewer bits than steps: these are finer than most numbers. */
-  static bool AreTooFine(const Domain& domain, std::span<const Key> keys)
-  {
-    std::vector<double> magnitudes;
-    for (const auto key : keys)
-    {
-      const double number = std::abs(domain.ToNumber(key));
-      if (std::isfinite(number) && number > 0)
-      {
-        magnitudes.push_back(number);
-      }
-    }
-    if (magnitudes.empty() || domain.GetQuantizer().RoundsKeys(domain.GetType()))
-    {
-      return false;
-    }
-    const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
-    std::nth_element(magnitudes.begin(), middle, magnitudes.end());
-    const Key key = domain.FromNumber(*middle);
-    return domain.ToNumber(key + 1) - domain.ToNumber(key) > 2 * domain.GetQuantizer().Step;
+    return Coder::Encoding ? key : this->Rule.GetKey(origin, steps);
   }
 
 private:
   static constexpr std::int32_t Unknown = INT32_MIN;
   static constexpr std::int64_t MaxKept = 1 << 30;
-  static constexpr std::int64_t EndOfSteps = std::int64_t{ 1 } << 46;
   static constexpr unsigned Classes = 32;
   static constexpr unsigned Signs = 3;
   static constexpr unsigned Ones = 14; // decisions of a number of steps that have a model each
-
-  /** What steps are counted from. */
-  struct Origin
-  {
-    double Number = 0;
-    double Index = 0; // on a lattice of numbers
-    Key Plain = 0;
-    std::int64_t KeyIndex = 0; // on a lattice of keys
-  };
 
   /** What is known of the number of steps. */
   struct Context
@@ -172,82 +135,13 @@ private:
   std::uint64_t ToSixteenths(const Guess& guess) const
   {
     constexpr double most = 1ull << 40;
-    const double error = this->RoundsKeys
+    const auto& rounding = this->Values.GetQuantizer();
+    const bool roundsKeys = rounding.RoundsKeys(this->Values.GetType());
+    const double error = roundsKeys
       ? static_cast<double>(guess.GetErrorInKeys(this->Values, guess.GetKey(this->Values)))
       : guess.Error;
-    const double count = error * 16 / (this->RoundsKeys ? this->Rounding.Step : this->Width);
+    const double count = error * 16 / (roundsKeys ? rounding.Step : 2 * rounding.Step);
     return static_cast<std::uint64_t>((count < most ? count : most) + 0.5);
-  }
-
-  Origin FindOrigin(const Guess& guess) const
-  {
-    Origin origin;
-    if (this->RoundsKeys)
-    {
-      origin.Plain = guess.GetKey(this->Values);
-      origin.KeyIndex = this->OnLattice ? GetKeyIndex(origin.Plain, this->Zero, this->KeyStep) : 0;
-    }
-    else
-    {
-      origin.Number = guess.GetNumber(this->Values);
-      origin.Index = this->OnLattice ? GetNumberIndex(origin.Number, this->Width) : 0;
-    }
-    return origin;
-  }
-
-  Key GetKey(const Origin& origin, std::int64_t steps) const
-  {
-    if (this->RoundsKeys)
-    {
-      const auto index = static_cast<std::int64_t>(
-        static_cast<std::uint64_t>(origin.KeyIndex) + static_cast<std::uint64_t>(steps));
-      return this->Values.Add(0,
-        static_cast<std::int64_t>(this->OnLattice
-            ? GetIndexKey(index, this->Zero, this->KeyStep)
-            : GetIndexKey(steps, origin.Plain, this->KeyStep)));
-    }
-    const auto number = static_cast<double>(steps);
-    return this->Values.FromNumber(this->OnLattice ? (origin.Index + number) * this->Width
-                                                   : origin.Number + number * this->Width);
-  }
-
-  /** Finds the steps to a value, or to one within the bound. Returns false if there are none. */
-  bool FindSteps(const Origin& origin, Key truth, std::int64_t& steps, Key& key) const
-  {
-    const auto type = this->Values.GetType();
-    std::int64_t best = 0;
-    if (this->RoundsKeys)
-    {
-      const auto unit = this->OnLattice ? this->Zero : origin.Plain;
-      best = static_cast<std::int64_t>(
-        static_cast<std::uint64_t>(GetKeyIndex(truth, unit, this->KeyStep)) -
-        static_cast<std::uint64_t>(origin.KeyIndex));
-    }
-    else
-    {
-      const double number = this->Values.ToNumber(truth);
-      const double away = this->OnLattice ? number / this->Width - origin.Index
-                                          : (number - origin.Number) / this->Width;
-      if (!(std::abs(away) < static_cast<double>(EndOfSteps)))
-      {
-        return false;
-      }
-      best = static_cast<std::int64_t>(away < 0 ? -std::floor(0.5 - away) : std::floor(away + 0.5));
-    }
-    for (const auto other : std::array{ best, best + 1, best - 1 })
-    {
-      if (other <= -EndOfSteps || other >= EndOfSteps)
-      {
-        continue;
-      }
-      steps = other;
-      key = this->GetKey(origin, other);
-      if (this->OnLattice ? key == truth : this->Rounding.IsWithin(type, truth, key))
-      {
-        return true;
-      }
-    }
-    return false;
   }
 
   template <typename Coder>
@@ -298,15 +192,15 @@ private:
     unsigned kind = Nearby;
     if constexpr (Coder::Encoding)
     {
-      kind = truth == this->Zero       ? IsZero
-        : truth == this->LastRaw       ? Again
-        : std::isfinite(number(truth)) ? Nearby
-                                       : Raw;
+      kind = truth == this->Rule.GetZero() ? IsZero
+        : truth == this->LastRaw           ? Again
+        : std::isfinite(number(truth))     ? Nearby
+                                           : Raw;
     }
     kind = this->Kind.Code(coder, kind);
     if (kind == IsZero)
     {
-      return this->Zero;
+      return this->Rule.GetZero();
     }
     if (kind == Nearby)
     {
@@ -330,12 +224,7 @@ private:
   static constexpr unsigned Again = 3; // the last raw one
 
   const Domain& Values;
-  const Quantizer& Rounding;
-  const bool OnLattice;
-  const bool RoundsKeys;
-  const Key Zero;
-  const std::uint64_t KeyStep;
-  const double Width;
+  const BoundedSteps<Domain> Rule;
 
   std::vector<std::int32_t> Steps; // of each place
   double LastNumber = 0;

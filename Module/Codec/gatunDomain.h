@@ -161,11 +161,15 @@ private:
 class Float32Domain
 {
 public:
+  Float32Domain() = default;
+  explicit Float32Domain(const Domain&) {}
+
   static bool Matches(const Domain& domain)
   {
     return domain.GetType() == ScalarType::Float32 && domain.IsPlain();
   }
 
+  static constexpr ScalarType GetType() { return ScalarType::Float32; }
   static constexpr unsigned GetBits() { return 32; }
   static constexpr bool IsValid(Key) { return true; }
 
@@ -200,6 +204,64 @@ public:
 
 private:
   static constexpr std::uint32_t Sign = 0x80000000u;
+};
+
+/** The same with the scale Shift, or without a scale. */
+class ShiftedFloat32Domain
+{
+public:
+  explicit ShiftedFloat32Domain(const Domain& domain)
+    : Digits(domain.GetScale() ? domain.GetScale().Digits : 0)
+    , Low((std::uint32_t{ 1 } << this->Digits) - 1)
+    , Half((this->Low >> 1) + (this->Digits > 0 ? 1 : 0))
+    , Last(~std::uint32_t{ 0 } >> this->Digits)
+  {
+  }
+
+  static bool Matches(const Domain& domain)
+  {
+    return domain.GetType() == ScalarType::Float32 && !domain.GetPalette() &&
+      (!domain.GetScale() || domain.GetScale().Kind == ScaleKind::Shift);
+  }
+
+  static constexpr ScalarType GetType() { return ScalarType::Float32; }
+  unsigned GetBits() const { return 32 - this->Digits; }
+  bool IsValid(Key key) const { return key <= this->Last; }
+
+  double ToNumber(Key key) const
+  {
+    const auto plain = static_cast<std::uint32_t>(key) << this->Digits;
+    return Float32Domain::ToNumber(plain | (IsInverted(plain) ? this->Low : 0));
+  }
+
+  Key FromNumber(double number) const
+  {
+    const auto plain = static_cast<std::uint32_t>(Float32Domain::FromNumber(number));
+    const std::uint32_t key = plain >> this->Digits;
+    const bool isUpper = (plain & this->Half) != 0;
+    return IsInverted(plain) ? key - (this->Half != 0 && !isUpper && key > 0 ? 1 : 0)
+                             : key + (isUpper && key < this->Last ? 1 : 0);
+  }
+
+  std::int64_t Subtract(Key key, Key predicted) const
+  {
+    const auto difference = static_cast<std::uint32_t>(key) - static_cast<std::uint32_t>(predicted);
+    return static_cast<std::int32_t>(difference << this->Digits) >> this->Digits;
+  }
+
+  Key Add(Key predicted, std::int64_t residual) const
+  {
+    return static_cast<std::uint32_t>(predicted + static_cast<Key>(residual)) & this->Last;
+  }
+
+private:
+  /** Whether a number is negative: the bits of such numbers are inverted in keys. */
+  static bool IsInverted(std::uint32_t plain) { return plain >> 31 == 0; }
+
+  unsigned Digits;
+  std::uint32_t Low;  // the bits that are 0 in values
+  std::uint32_t Half; // the highest one of them
+  std::uint32_t Last;
 };
 }
 

@@ -40,23 +40,8 @@ public:
     const auto residual = this->Models[group].Code(
       coder, spread, Coder::Encoding ? this->Values.Subtract(truth, predicted) : 0);
     this->Running.Add(residual);
-    return AddTo(this->Values, predicted, residual);
-  }
-
-  /** Decodes what Code does if there is no error to expect and no spread: it depends on no
-   * prediction. */
-  std::int64_t DecodeResidual(EntropyDecoder& coder, unsigned group)
-  {
-    const auto residual = this->Models[group].Code(coder, this->Running.Get(), 0);
-    this->Running.Add(residual);
-    return residual;
-  }
-
-  /** The key that is a residual away from a predicted one. */
-  static Key AddTo(const AnyDomain& domain, Key predicted, std::int64_t residual)
-  {
-    const Key key = domain.Add(predicted, residual);
-    if (!domain.IsValid(key))
+    const Key key = this->Values.Add(predicted, residual);
+    if (!this->Values.IsValid(key))
     {
       ThrowCorrupt("a value is not in the palette");
     }

@@ -44,7 +44,8 @@ struct Guess
   }
 
   /** A finite number. */
-  double GetNumber(const Domain& domain) const
+  template <typename AnyDomain>
+  double GetNumber(const AnyDomain& domain) const
   {
     const double number = this->HasNumber ? this->Number : domain.ToNumber(this->Predicted);
     return std::isfinite(number) ? number : 0;

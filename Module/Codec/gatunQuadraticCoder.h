@@ -48,15 +48,18 @@ struct AllPlaces
   }
 };
 
-/** Codes one component by a predictor. */
-template <typename Predictor, typename Coder, typename PlacesOf, typename Values>
-void CodeByPredictor(
+/**
+ * Codes one component by the mode Quadratic. Changes are predicted as values are, by the changes at
+ * neighbors. places: OwnPoints or AllPlaces. values: ExactValues or BoundedValues.
+ */
+template <typename Coder, typename PlacesOf, typename Values>
+void CodeQuadratic(
   Coder& coder, TemporalMode temporal, const PlacesOf& places, Values&& values, ComponentKeys& keys)
 {
   const auto& domain = values.GetDomain();
   const bool isChange = temporal == TemporalMode::Change;
   const auto getBase = [&](Vertex v) { return isChange ? domain.ToNumber(keys.Before[v]) : 0.0; };
-  Predictor predictor(places.GetFit(), keys.Now.size());
+  QuadraticPredictor predictor(places.GetFit(), keys.Now.size());
   for (Vertex v = 0; v < keys.Now.size(); ++v)
   {
     if (places.IsKnown(v))
@@ -83,25 +86,6 @@ void CodeByPredictor(
     }
     keys.Now[v] = values.Code(coder, guess, v, keys.Now[v]);
     predictor.Learn(v, domain.ToNumber(keys.Now[v]) - base);
-  }
-}
-
-/**
- * Codes one component by the mode Quadratic or PlainQuadratic. Changes are predicted as values are,
- * by the changes at neighbors. places: OwnPoints or AllPlaces. values: ExactValues or
- * BoundedValues.
- */
-template <typename Coder, typename PlacesOf, typename Values>
-void CodeQuadratic(Coder& coder, SpatialMode spatial, TemporalMode temporal, const PlacesOf& places,
-  Values&& values, ComponentKeys& keys)
-{
-  if (spatial == SpatialMode::Quadratic)
-  {
-    CodeByPredictor<QuadraticPredictor>(coder, temporal, places, values, keys);
-  }
-  else
-  {
-    CodeByPredictor<PlainQuadraticPredictor>(coder, temporal, places, values, keys);
   }
 }
 }

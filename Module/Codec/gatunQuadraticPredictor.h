@@ -27,14 +27,21 @@ struct QuadraticPrediction
   bool HasError = false;     ///< whether the errors of neighbors are known
 };
 
-/** The numbers of a component that are known while it is coded. All are finite. */
-class QuadraticNumbers
+/**
+ * Predicts one number at each own vertex of a chunk, in the order of the walk: blends a quadratic
+ * fit with a linear fit and the rule that predicted the coordinates, by the errors that each has
+ * made at the neighbors. See Documentation/format.md, 10.10.
+ *
+ * Any numbers are valid. Those that are not finite are replaced by what was predicted there.
+ */
+class QuadraticPredictor
 {
 public:
   /** count: the number of vertices. */
-  QuadraticNumbers(const QuadraticFit& fit, std::size_t count)
+  QuadraticPredictor(const QuadraticFit& fit, std::size_t count)
     : Fit(fit)
     , Numbers(count)
+    , Errors(count)
   {
   }
 
@@ -44,108 +51,6 @@ public:
   {
     this->LastShared = std::isfinite(number) ? number : this->LastShared;
     this->Numbers[v] = this->LastShared;
-  }
-
-protected:
-  /** first: the number at the nearest neighbor, so that a constant is predicted exactly. */
-  static double Add(double first, double difference)
-  {
-    const double sum = first + difference;
-    return std::isfinite(sum) ? sum : first;
-  }
-
-  void Set(Vertex v, double number)
-  {
-    this->Numbers[v] = number;
-    this->Last = number;
-  }
-
-  const QuadraticFit& Fit;
-  std::vector<double> Numbers;
-  double Last = 0; // of own vertices
-
-private:
-  double LastShared = 0;
-};
-
-/**
- * Predicts one number at each own vertex of a chunk, in the order of the walk, by a quadratic fit.
- * See Documentation/format.md, 10.11.
- *
- * Any numbers are valid. Those that are not finite are replaced by what was predicted there.
- */
-class PlainQuadraticPredictor : public QuadraticNumbers
-{
-public:
-  using QuadraticNumbers::QuadraticNumbers;
-
-  /** Predicts the next own vertex. */
-  template <typename Other>
-  QuadraticPrediction Predict(std::size_t own, const Other&)
-  {
-    QuadraticPrediction result;
-    const auto neighbors = this->Fit.Of(own);
-    result.HasNeighbors = !neighbors.Ids.empty();
-    result.Number = this->Last;
-    if (result.HasNeighbors)
-    {
-      const double first = this->Numbers[neighbors.Ids.front()];
-      result.Number = Add(first, this->SumUp(neighbors, first));
-    }
-    this->Predicted = result.Number;
-    return result;
-  }
-
-  /** Sets the number at the vertex that was predicted last. */
-  void Learn(Vertex v, double number)
-  {
-    this->Set(v, std::isfinite(number) ? number : this->Predicted);
-  }
-
-private:
-  using Double2 = double __attribute__((vector_size(16)));
-
-  /** The sum over neighbors i of what each adds is four sums, of those with the same i % 4, so that
-   * no addition has to wait for the one before. */
-  [[gnu::noinline]] double SumUp(const QuadraticFit::Neighbors& neighbors, double first) const
-  {
-    const double* numbers = this->Numbers.data();
-    const Vertex* ids = neighbors.Ids.data();
-    const float* weights = neighbors.Quadratic;
-    const std::size_t count = neighbors.GetCount();
-    const Double2 base{ first, first };
-    Double2 low{}, high{};
-    std::size_t i = 0;
-    for (; i + 4 <= count; i += 4)
-    {
-      low += Double2{ weights[i], weights[i + 1] } *
-        (Double2{ numbers[ids[i]], numbers[ids[i + 1]] } - base);
-      high += Double2{ weights[i + 2], weights[i + 3] } *
-        (Double2{ numbers[ids[i + 2]], numbers[ids[i + 3]] } - base);
-    }
-    std::array<double, 4> sums{ low[0], low[1], high[0], high[1] };
-    for (; i < count; ++i)
-    {
-      sums[i % 4] += static_cast<double>(weights[i]) * (numbers[ids[i]] - first);
-    }
-    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
-  }
-
-  double Predicted = 0;
-};
-
-/**
- * Predicts as PlainQuadraticPredictor does, but blends the quadratic fit with a linear fit and the
- * rule that predicted the coordinates, by the errors that each has made at the neighbors. See
- * Documentation/format.md, 10.10.
- */
-class QuadraticPredictor : public QuadraticNumbers
-{
-public:
-  QuadraticPredictor(const QuadraticFit& fit, std::size_t count)
-    : QuadraticNumbers(fit, count)
-    , Errors(count)
-  {
   }
 
   /** Predicts the next own vertex. other: gives what another rule predicts from the numbers of all
@@ -186,7 +91,8 @@ public:
       const double error = std::abs(number - this->Predicted[k]);
       this->Errors[v][k] = error <= MaxError ? error : MaxError;
     }
-    this->Set(v, number);
+    this->Numbers[v] = number;
+    this->Last = number;
   }
 
 private:
@@ -224,6 +130,13 @@ private:
 
   static constexpr double MaxError = 1e300;
 
+  /** first: the number at the nearest neighbor, so that a constant is predicted exactly. */
+  static double Add(double first, double difference)
+  {
+    const double sum = first + difference;
+    return std::isfinite(sum) ? sum : first;
+  }
+
   /** Mean of predictions with weights of 1 / error^4. */
   static double Blend(double a, double b, double c, double errorA, double errorB, double errorC)
   {
@@ -245,6 +158,10 @@ private:
     return a + (weightB * (b - a) + weightC * (c - a)) / (weightA + weightB + weightC);
   }
 
+  const QuadraticFit& Fit;
+  std::vector<double> Numbers; // that are known, all finite
+  double Last = 0;             // of own vertices
+  double LastShared = 0;
   std::vector<std::array<double, 4>> Errors; // of the three predictions and of the blend
   std::array<double, 4> Predicted{};
 };

@@ -29,7 +29,57 @@ private:
   unsigned Sum = 4 * 20;
 };
 
-/** Models the size of residuals relative to the spread of surrounding values, in one context. */
+/** Models the lengths of residuals in bits, relative to the length of a typical one. */
+class LengthModel
+{
+public:
+  /** Codes a length from 0 to 64. spread: that of a typical residual. */
+  template <typename Coder>
+  unsigned Code(Coder& coder, int spread, int length)
+  {
+    int symbol = length - spread + NearShift;
+    symbol = length == 0 ? 0 : symbol >= 1 && symbol < static_cast<int>(Escape) ? symbol : Escape;
+    const auto near = coder.Symbol(this->Near, static_cast<unsigned>(symbol));
+    this->Kind = near;
+    if (near == 0)
+    {
+      return 0;
+    }
+    int coded = static_cast<int>(near) + spread - NearShift;
+    if (near == Escape)
+    {
+      symbol = length - spread + FarShift;
+      symbol = symbol >= 1 && symbol < static_cast<int>(SymbolModel::Symbols) ? symbol : 0;
+      const auto far = coder.Symbol(this->Far, static_cast<unsigned>(symbol));
+      coded = far != 0 ? static_cast<int>(far) + spread - FarShift
+                       : static_cast<int>(coder.Raw(static_cast<unsigned>(length), 7));
+      this->Kind = Escape + far;
+    }
+    if (coded < 1 || coded > 64)
+    {
+      ThrowCorrupt("a residual has an impossible length");
+    }
+    return static_cast<unsigned>(coded);
+  }
+
+  static constexpr unsigned Kinds = 2 * SymbolModel::Symbols;
+
+  /** The symbols of the last length, as a number below Kinds. */
+  unsigned GetKind() const { return this->Kind; }
+
+private:
+  // Symbols of Near: 0 is a residual of 0, 1 to 14 are lengths around the spread, 15 is an escape.
+  // Symbols of Far: 0 is a raw length, 1 to 15 are lengths far below the spread.
+  static constexpr int NearShift = 12;
+  static constexpr int FarShift = 27;
+  static constexpr unsigned Escape = SymbolModel::Symbols - 1;
+
+  SymbolModel Near;
+  unsigned Kind = 0;
+  SymbolModel Far;
+};
+
+/** Models residuals in one context. */
 class ResidualModel
 {
 public:
@@ -42,7 +92,7 @@ public:
   {
     std::uint64_t magnitude = static_cast<std::uint64_t>(residual);
     magnitude = residual < 0 ? 0 - magnitude : magnitude;
-    const auto length = this->CodeLength(
+    const auto length = this->Length.Code(
       coder, static_cast<int>(spread), static_cast<int>(std::bit_width(magnitude)));
     if (length == 0)
     {
@@ -61,40 +111,6 @@ public:
   unsigned Grade = 0;
 
 private:
-  // Symbols of Near: 0 is a residual of 0, 1 to 14 are lengths around the spread, 15 is an escape.
-  // Symbols of Far: 0 is a raw length, 1 to 15 are lengths far below the spread.
-  static constexpr int NearShift = 12;
-  static constexpr int FarShift = 27;
-  static constexpr unsigned Escape = SymbolModel::Symbols - 1;
-
-  template <typename Coder>
-  unsigned CodeLength(Coder& coder, int spread, int length)
-  {
-    int symbol = length - spread + NearShift;
-    symbol = length == 0 ? 0 : symbol >= 1 && symbol < static_cast<int>(Escape) ? symbol : Escape;
-    const auto near = coder.Symbol(this->Near, static_cast<unsigned>(symbol));
-    this->SecondOf = near;
-    if (near == 0)
-    {
-      return 0;
-    }
-    int coded = static_cast<int>(near) + spread - NearShift;
-    if (near == Escape)
-    {
-      symbol = length - spread + FarShift;
-      symbol = symbol >= 1 && symbol < static_cast<int>(SymbolModel::Symbols) ? symbol : 0;
-      const auto far = coder.Symbol(this->Far, static_cast<unsigned>(symbol));
-      coded = far != 0 ? static_cast<int>(far) + spread - FarShift
-                       : static_cast<int>(coder.Raw(static_cast<unsigned>(length), 7));
-      this->SecondOf = Escape + far;
-    }
-    if (coded < 1 || coded > 64)
-    {
-      ThrowCorrupt("a residual has an impossible length");
-    }
-    return static_cast<unsigned>(coded);
-  }
-
   template <typename Coder>
   std::uint64_t CodeMagnitude(Coder& coder, unsigned length, std::uint64_t magnitude)
   {
@@ -103,16 +119,15 @@ private:
       return 1;
     }
     const unsigned low = length - 2;
-    const std::uint64_t second = coder.Bit(this->Second[this->SecondOf], (magnitude >> low) & 1);
+    const std::uint64_t second =
+      coder.Bit(this->Second[this->Length.GetKind()], (magnitude >> low) & 1);
     const std::uint64_t rest = coder.Raw(magnitude & ((std::uint64_t{ 1 } << low) - 1), low);
     return (std::uint64_t{ 2 } | second) << low | rest;
   }
 
-  SymbolModel Near;
+  LengthModel Length;
   BitModel Sign;
-  unsigned SecondOf = 0;
-  std::array<BitModel, 2 * SymbolModel::Symbols> Second;
-  SymbolModel Far;
+  std::array<BitModel, LengthModel::Kinds> Second;
 };
 }
 

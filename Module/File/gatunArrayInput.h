@@ -31,9 +31,12 @@ struct ArrayInput
   bool IsPoints = false;                      // coordinates of points that move
   const std::vector<bool>* IsAlive = nullptr; // which tuples count for ranges; null: all
 
-  /** The part of their size that streams must save to be decoded more slowly. What changes with
-   * time is decoded for every picture. */
-  std::size_t GetMargin() const { return this->IsPoints || this->Before ? 3 : QuadraticMargin; }
+  /** What streams must save to be decoded more slowly: what changes with time is decoded for every
+   * picture. */
+  ModeChoice GetModeChoice() const
+  {
+    return this->IsPoints || this->Before ? ModeChoice{ 3, 0.5, true } : ModeChoice{};
+  }
 
   const std::uint8_t* At(const std::uint8_t* values, std::size_t tuple, std::size_t component) const
   {

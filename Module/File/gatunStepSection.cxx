@@ -381,7 +381,8 @@ std::vector<Bytes> StepSection::EncodeBlock(const WriterPart& part, std::size_t 
         fit.emplace(GetPlaces(part.Mesh.GetMesh(), points));
       }
       auto keys = inputs[a].GetKeys(points);
-      streams[a] = EncodeCellValues({ {}, &*fit }, inputs[a].Domains, keys, inputs[a].GetMargin());
+      streams[a] =
+        EncodeCellValues({ {}, &*fit }, inputs[a].Domains, keys, inputs[a].GetModeChoice());
     }
   }
   return streams;
@@ -464,8 +465,8 @@ std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
     {
       auto keys = input.GetKeys(tuples);
       stream = ofPoints
-        ? EncodePointValues(state.Mesh.Context, input.Domains, keys, input.GetMargin())
-        : EncodeCellValues(cells, input.Domains, keys, input.GetMargin());
+        ? EncodePointValues(state.Mesh.Context, input.Domains, keys, input.GetModeChoice())
+        : EncodeCellValues(cells, input.Domains, keys, input.GetModeChoice());
       const auto own = ofPoints ? state.Mesh.Context.OwnIds.size() : tuples.size();
       for (std::size_t i = 0; input.Rounded && i < own; ++i)
       {

@@ -9,7 +9,7 @@ Part of gtn_decoder, which is written from that text alone.
 import math
 import sys
 
-from gtn_bounds import BoundedValues
+from gtn_bounds import BoundedValues, signed
 from gtn_bytes import Bytes, require
 from gtn_cells import TURNS, CellMesh, split
 from gtn_coding import (
@@ -55,6 +55,8 @@ class ArrayStream:
 
     def guess(self, number, error, group, place):
         """A key of which a number and, if it is known, its error are predicted (10.10)."""
+        if self.spatial == PLAIN_QUADRATIC:
+            return self.plain(float(number))
         if self.bounded:
             return self.bounded.value(float(number), place, (), error)
         p, spread = self.domain.from_number(number), None
@@ -68,6 +70,8 @@ class ArrayStream:
     def value(self, prediction, group=0, spread=None, place=None, around=()):
         """A key (10.2). No spread: the running one. place, around: those of the value and of
         others for values with errors (10.7)."""
+        if self.spatial == PLAIN_QUADRATIC:
+            return self.plain(prediction)
         if self.bounded:
             return self.bounded.value(prediction, place, around)
         if spread is None:
@@ -75,6 +79,24 @@ class ArrayStream:
         d, _ = self.coded.residual(group, spread)
         self.running.update(d)
         return self.domain.add(prediction, d)
+
+
+    def plain(self, prediction):
+        """A key in the mode plain quadratic (10.11). prediction: a number or a key."""
+        spread = self.running.spread()
+        length, _ = self.coded.length(("plain", min(spread, 15)), spread)
+        if self.bounded and length > 46:
+            require(length == 64, "number of steps")
+            return self.bounded.plain_special()
+        rest = self.coded.raw(length)
+        magnitude = (1 << length - 1) + (rest >> 1) if length > 0 else 0
+        d = signed(-magnitude if rest & 1 else magnitude)
+        self.running.update(d)
+        if self.bounded:
+            return self.bounded.key(prediction, d)
+        is_number = isinstance(prediction, float)
+        return self.domain.add(
+            self.domain.from_number(prediction) if is_number else prediction, d)
 
 
 def decode_list(stream, domains, count, before=None, parents=None, lists=None):

@@ -67,7 +67,7 @@ class BoundedValues:
         kept = max(-MOST_STEPS, min(steps, MOST_STEPS))
         self.steps[place] = kept
         self.mean += 16 * abs(kept) - (self.mean >> 4)
-        return self._key(prediction, steps)
+        return self.key(prediction, steps)
 
     def _sixteenths(self, number, error):
         """What an error is in sixteenths of a step (10.10)."""
@@ -103,7 +103,8 @@ class BoundedValues:
             q = -q if negative else q
         return signed((q << shift) + coded.raw(shift))
 
-    def _key(self, prediction, steps):
+    def key(self, prediction, steps):
+        """The key that is so many steps away."""
         bound, domain = self.bound, self.domain
         if bound.rounds_keys:
             step = int(bound.step)
@@ -139,10 +140,21 @@ class BoundedValues:
             self.running.update(d)
             return self.domain.add(self._key_of(prediction), d)
         if kind == 2:
-            bits = self.domain.bits
-            low = self.coded.raw(min(bits, 32))
-            self.last_raw = low if bits <= 32 else low + (self.coded.raw(bits - 32) << 32)
+            self._take_raw()
         return self.last_raw
+
+    def plain_special(self):
+        """A value without steps in the mode plain quadratic (10.11)."""
+        kind = self.coded.raw(2)
+        require(kind <= 2, "kind of a value without steps")
+        if kind == 2:
+            self._take_raw()
+        return self.last_raw if kind > 0 else self.zero
+
+    def _take_raw(self):
+        bits = self.domain.bits
+        low = self.coded.raw(min(bits, 32))
+        self.last_raw = low if bits <= 32 else low + (self.coded.raw(bits - 32) << 32)
 
 
 def signed(number):

@@ -275,8 +275,8 @@ class Coded:
         require(length <= 32, "length of a number")
         return length if length < 2 else (1 << (length - 1)) + self.raw(length - 1)
 
-    def residual(self, models, spread):
-        """A residual (section 7) and its grade. models: a tuple that names the set."""
+    def length(self, models, spread):
+        """The length of a residual (section 7), and which model the second bit has."""
         near = self.symbol(models, "near")
         if near == 0:
             return 0, 0
@@ -287,6 +287,13 @@ class Coded:
             length = far + spread - 27 if far > 0 else self.raw(7)
             which = 15 + far
         require(1 <= length <= 64, "length of a residual")
+        return length, which
+
+    def residual(self, models, spread):
+        """A residual (section 7) and its grade. models: a tuple that names the set."""
+        length, which = self.length(models, spread)
+        if length == 0:
+            return 0, 0
         relative = length - spread
         grade = 1 if relative < -7 else 2 if relative < -3 else 3
         negative = self.decide(models, "sign")

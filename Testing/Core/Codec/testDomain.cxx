@@ -149,4 +149,45 @@ TEST(Domain, OfFloat32IsTheSameWithoutDispatch)
     before = key;
   }
 }
+
+TEST(Domain, OfShiftedFloat32IsTheSameWithoutDispatch)
+{
+  EXPECT_FALSE(ShiftedFloat32Domain::Matches(Domain(ScalarType::Float64)));
+  EXPECT_FALSE(
+    ShiftedFloat32Domain::Matches(Domain(ScalarType::Float32, Scale{ ScaleKind::Fixed, 2, 0 })));
+  EXPECT_FALSE(ShiftedFloat32Domain::Matches(
+    Domain(ScalarType::Float32, std::make_shared<const Palette>(Palette{ 1, 2 }))));
+  std::mt19937_64 random(7);
+  for (std::uint8_t digits = 0; digits < 32; ++digits)
+  {
+    const Domain domain = digits == 0
+      ? Domain(ScalarType::Float32)
+      : Domain(ScalarType::Float32, Scale{ ScaleKind::Shift, digits, 0 });
+    ASSERT_TRUE(ShiftedFloat32Domain::Matches(domain));
+    const ShiftedFloat32Domain shifted(domain);
+    EXPECT_EQ(shifted.GetBits(), domain.GetBits());
+    const Key last = 0xffffffffu >> digits;
+    Key before = 0;
+    for (int i = 0; i < 10000; ++i)
+    {
+      const Key key = i == 0 ? 0 : i == 1 ? last : random() & last;
+      ASSERT_TRUE(shifted.IsValid(key));
+      const double number = domain.ToNumber(key);
+      ASSERT_EQ(
+        std::bit_cast<std::uint64_t>(shifted.ToNumber(key)), std::bit_cast<std::uint64_t>(number));
+      const auto residual = shifted.Subtract(key, before);
+      ASSERT_EQ(residual, domain.Subtract(key, before));
+      ASSERT_EQ(shifted.Add(before, residual), key);
+      ASSERT_EQ(shifted.Add(key, residual), domain.Add(key, residual));
+      const double wide = std::bit_cast<double>(random());
+      for (const double predicted : { number, number * 1.01, number * 1.00000001, wide, -0.0, 0.0 })
+      {
+        ASSERT_EQ(shifted.FromNumber(predicted), domain.FromNumber(predicted))
+          << predicted << " with " << int{ digits };
+      }
+      before = key;
+    }
+    EXPECT_TRUE(digits == 0 || !shifted.IsValid(last + 1));
+  }
+}
 }
