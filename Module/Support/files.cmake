@@ -12,6 +12,7 @@ gatun_core_folder(Support
     gatunFraming.h
     gatunPageArray.h
     gatunParallel.h
+    gatunPrintable.h
     gatunValueHistogram.h
   PRIVATE_HEADERS
     gatunBytes.h
@@ -37,5 +38,6 @@ gatun_core_folder(Support
     gatunFraming.cxx
     gatunKeepMemory.cxx
     gatunParallel.cxx
+    gatunPrintable.cxx
     gatunValueHistogram.cxx
     gatunVersion.cxx)

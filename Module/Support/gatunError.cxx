@@ -3,6 +3,8 @@
 
 #include "gatunError.h"
 
+#include "gatunPrintable.h"
+
 #include <system_error>
 
 namespace gatun
@@ -39,14 +41,14 @@ std::string MakeMessage(const ErrorDetails& details)
 
 //------------------------------------------------------------------------------
 Error::Error(ErrorCode code, const std::string& message)
-  : std::runtime_error(message)
+  : std::runtime_error(MakePrintable(message))
   , Code(code)
 {
 }
 
 //------------------------------------------------------------------------------
 Error::Error(ErrorCode code, const ErrorDetails& details)
-  : std::runtime_error(MakeMessage(details))
+  : std::runtime_error(MakePrintable(MakeMessage(details)))
   , Code(code)
   , SystemError(details.SystemError)
   , Path(details.Path)

@@ -46,7 +46,8 @@ struct ErrorDetails
 /**
  * The only exception class that the core throws. The VTK classes catch it at their border.
  *
- * Programs distinguish errors by the fields. The text of the message is meant for people.
+ * Programs distinguish errors by the fields. The text of the message is meant for people: see
+ * MakePrintable.
  */
 class Error : public std::runtime_error
 {

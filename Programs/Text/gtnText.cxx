@@ -5,8 +5,11 @@
 
 #include "gtnFailure.h"
 
+#include "gatunPrintable.h"
+
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <new>
 
@@ -14,7 +17,9 @@ namespace gtn
 {
 //------------------------------------------------------------------------------
 Failure::Failure(const std::string& file, const std::string& reason)
-  : std::runtime_error(reason.starts_with(file + ": ") ? reason : file + ": " + reason)
+  : std::runtime_error(reason.starts_with(gatun::MakePrintable(file) + ": ")
+        ? reason
+        : gatun::MakePrintable(file + ": " + reason))
 {
 }
 
@@ -27,24 +32,10 @@ const char* ReasonOf(const std::exception& error) noexcept
 //------------------------------------------------------------------------------
 std::string Printable(std::string_view text)
 {
-  std::string line;
-  for (const char c : text)
-  {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '\n' || c == '\r' || c == '\t')
-    {
-      line += ' ';
-    }
-    else if (byte < 0x20 || byte == 0x7f)
-    {
-      line += fmt::format("\\x{:02x}", byte);
-    }
-    else
-    {
-      line += c;
-    }
-  }
-  return line;
+  std::string line(text);
+  std::replace_if(
+    line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  return gatun::MakePrintable(line);
 }
 
 //------------------------------------------------------------------------------

@@ -12,7 +12,7 @@
 
 namespace gtn
 {
-/** Returns one line without control characters, which is safe to print. */
+/** Returns one line that is safe to print: see gatun::MakePrintable. */
 std::string Printable(std::string_view text);
 
 /** 1234567 as "1,234,567". */
