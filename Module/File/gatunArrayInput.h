@@ -29,13 +29,14 @@ struct ArrayInput
   bool IsCopy =
     false; // whether another array, the mesh or the step before has the values: no streams
   bool IsPoints = false;                      // coordinates of points that move
+  bool IsLater = false;                       // than the first step of its mesh
   const std::vector<bool>* IsAlive = nullptr; // which tuples count for ranges; null: all
 
   /** What streams must save to be decoded more slowly: what changes with time is decoded for every
    * picture. */
   ModeChoice GetModeChoice() const
   {
-    return this->IsPoints || this->Before ? ModeChoice{ 3, 0.5, true } : ModeChoice{};
+    return this->IsLater ? ModeChoice{ 3, 0.5, true } : ModeChoice{};
   }
 
   const std::uint8_t* At(const std::uint8_t* values, std::size_t tuple, std::size_t component) const

@@ -290,6 +290,7 @@ void StepSection::AddArray(std::size_t a, const WriterPart& part, const void* va
   input.Now = static_cast<const std::uint8_t*>(values);
   input.Domains = step.Domains.Components[a];
   input.IsPoints = this->IsPoints(a);
+  input.IsLater = this->Count > 0;
   input.IsCopy = step.Domains.Copies[a].has_value() ||
     (input.IsPoints && (this->Count == 0 || !step.Table.PointsMove));
   if (this->HasBefore(a) && part.GetTupleCount(array) > 0)
