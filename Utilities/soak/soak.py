@@ -203,7 +203,7 @@ def main():
     machine = describe_machine(context)
 
     def save(soak):
-        now = {"runs": [*results["runs"], {**machine, **soak.results()}]}
+        now = {**results, "runs": [*results["runs"], {**machine, **soak.results()}]}
         beside = file.with_suffix(".new")
         beside.write_text(json.dumps(now, indent=1) + "\n", encoding="utf-8")
         os.replace(beside, file)
