@@ -58,6 +58,7 @@ gatun_core_folder(Codec
     gatunQuadraticFit.h
     gatunQuadraticLanes.h
     gatunQuadraticLoops.h
+    gatunQuadraticPlaces.h
     gatunQuadraticPredictor.h
     gatunQuantizer.h
     gatunRecentVertices.h

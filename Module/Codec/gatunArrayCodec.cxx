@@ -350,7 +350,7 @@ bool HaveBefore(std::span<const ComponentKeys> components)
     [](const ComponentKeys& keys) { return keys.Before.size() == keys.Now.size(); });
 }
 
-/** How slowly streams of a mode are decoded. */
+/** The place of a mode if they are ordered by the time to decode a stream. */
 int GetSlowness(SpatialMode mode, bool hasWeights)
 {
   switch (mode)
@@ -462,7 +462,7 @@ Bytes EncodePointValues(const PointContext& context, std::span<const Domain> dom
   }
   if (context.Quadratic)
   {
-    // Last, because each must beat all faster ones by a margin.
+    // Last, so that each is compared with the best of those without weights.
     modes.insert(modes.end(), { SpatialMode::PlainQuadratic, SpatialMode::Quadratic });
   }
   return EncodeBest(modes, domains, components, choice,

@@ -28,15 +28,15 @@ struct ArrayModes
   static ArrayModes Read(std::span<const std::uint8_t> stream);
 };
 
-/** What a stream must save to be decoded more slowly than another one. */
+/** How much smaller a stream must be to be worth a slower mode. */
 struct ModeChoice
 {
-  std::size_t Part = 64;   ///< 1 by this of its size
-  double BitsOfValue = 0;  ///< and so many bits a value
+  std::size_t Part = 64;   ///< by its size divided by this,
+  double BitsOfValue = 0;  ///< and by so many bits a value
   bool HasWeights = false; ///< whether readers have the weights of quadratic functions by then
 };
 
-/** Encodes own points with all modes and returns the shortest stream. Components of domains with a
+/** Encodes own points with all modes and returns the best stream. Components of domains with a
  * quantizer get the keys that readers will have. Where these are on a lattice, the keys must be
  * those of its places, if there are such (Quantizer::ToLattice). */
 Bytes EncodePointValues(const PointContext& context, std::span<const Domain> domains,

@@ -12,9 +12,22 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <cstdint>
 
 namespace gatun
 {
+/** The key that is a residual away from a predicted one. */
+template <typename AnyDomain>
+Key AddResidual(const AnyDomain& domain, Key predicted, std::int64_t residual)
+{
+  const Key key = domain.Add(predicted, residual);
+  if (!domain.IsValid(key))
+  {
+    ThrowCorrupt("a value is not in the palette");
+  }
+  return key;
+}
+
 /** Codes the values of a component that are exact. AnyDomain: Domain, or one of its special cases.
  */
 template <typename AnyDomain>
@@ -40,12 +53,7 @@ public:
     const auto residual = this->Models[group].Code(
       coder, spread, Coder::Encoding ? this->Values.Subtract(truth, predicted) : 0);
     this->Running.Add(residual);
-    const Key key = this->Values.Add(predicted, residual);
-    if (!this->Values.IsValid(key))
-    {
-      ThrowCorrupt("a value is not in the palette");
-    }
-    return key;
+    return AddResidual(this->Values, predicted, residual);
   }
 
 private:

@@ -9,17 +9,20 @@
 // one loop over its neighbors. See Documentation/format.md, 10.11.
 
 #include "gatunBoundedSteps.h"
+#include "gatunExactValues.h"
 #include "gatunGuess.h"
 #include "gatunPlainResiduals.h"
 #include "gatunPointContext.h"
 #include "gatunQuadraticFit.h"
+#include "gatunQuadraticPlaces.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
+#include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace gatun
@@ -72,9 +75,7 @@ public:
     Numbers result{};
     for (std::size_t c = 0; c < Components; ++c)
     {
-      const double base = first[c / 2][c % 2];
-      const double sum = base + differences[c];
-      result[c] = std::isfinite(sum) ? sum : base;
+      result[c] = AddDifference(first[c / 2][c % 2], differences[c]);
     }
     return result;
   }
@@ -102,8 +103,7 @@ public:
   Numbers Predict(const QuadraticFit::Neighbors& neighbors) const
   {
     const double first = this->All[neighbors.Ids.front()];
-    const double sum = first + this->SumUp(neighbors, first);
-    return { std::isfinite(sum) ? sum : first };
+    return { AddDifference(first, this->SumUp(neighbors, first)) };
   }
 
 private:
@@ -146,6 +146,7 @@ public:
     : Values(domain)
     , Rule(this->Values, domain.GetQuantizer(), onLattice || domain.GetQuantizer().OnLattice)
     , HasBound(domain.GetQuantizer())
+    , List(this->Values.GetBits(), this->Rule.GetZero())
   {
   }
 
@@ -154,14 +155,14 @@ public:
   /** Decodes the residuals of a number of values. To be called before GetValue. */
   void Decode(Coder& coder, std::size_t count)
   {
-    this->IsBounded = this->HasBound && coder.Raw(0, 1) == 0;
-    this->List.Code(coder, this->Values, this->IsBounded, this->Rule.GetZero(), count);
+    this->List.IsBounded = this->HasBound && coder.Raw(0, 1) == 0;
+    this->List.Code(coder, count);
   }
 
   /** Encodes without steps if they are too fine. To be called before GetValue. */
   void Choose(const Domain& domain, std::span<const Key> keys)
   {
-    this->IsBounded = this->HasBound && !AreStepsTooFine(domain, keys);
+    this->List.IsBounded = this->HasBound && !AreStepsTooFine(domain, keys);
   }
 
   /** Encodes the residuals that GetValue has found. */
@@ -169,10 +170,9 @@ public:
   {
     if (this->HasBound)
     {
-      coder.Raw(!this->IsBounded, 1);
+      coder.Raw(!this->List.IsBounded, 1);
     }
-    this->List.Code(
-      coder, this->Values, this->IsBounded, this->Rule.GetZero(), this->List.Residuals.size());
+    this->List.Code(coder, this->List.Residuals.size());
   }
 
   /** The key that readers will have. The index is that of the residual; the indices ascend. */
@@ -183,14 +183,9 @@ public:
       return this->Find(guess, truth);
     }
     const std::int64_t residual = this->List.Residuals[index];
-    if (!this->IsBounded)
+    if (!this->List.IsBounded)
     {
-      const Key key = this->Values.Add(guess.GetKey(this->Values), residual);
-      if (!this->Values.IsValid(key))
-      {
-        ThrowCorrupt("a value is not in the palette");
-      }
-      return key;
+      return AddResidual(this->Values, guess.GetKey(this->Values), residual);
     }
     return residual == PlainResiduals::NoSteps
       ? this->List.Keys[this->NextKey++]
@@ -201,7 +196,7 @@ private:
   Key Find(const Guess& guess, Key truth)
   {
     auto& residuals = this->List.Residuals;
-    if (!this->IsBounded)
+    if (!this->List.IsBounded)
     {
       residuals.push_back(this->Values.Subtract(truth, guess.GetKey(this->Values)));
       return truth;
@@ -221,7 +216,6 @@ private:
   const AnyDomain Values;
   const BoundedSteps<AnyDomain> Rule;
   const bool HasBound;
-  bool IsBounded = false;
   PlainResiduals List;
   std::size_t NextKey = 0;
 };
@@ -234,7 +228,7 @@ class PlainWalk
 public:
   PlainWalk(TemporalMode temporal, const PlacesOf& places, std::span<AnyValues> values,
     std::span<ComponentKeys> components)
-    : IsChange(temporal == TemporalMode::Change)
+    : Temporal(temporal)
     , Places(places)
     , Values(values)
     , Components(components)
@@ -266,7 +260,7 @@ private:
 
   double GetBase(Vertex v, std::size_t c) const
   {
-    return this->IsChange ? this->ToNumber(c, this->Components[c].Before[v]) : 0.0;
+    return gatun::GetBase(this->Values[c].GetDomain(), this->Temporal, this->Components[c], v);
   }
 
   /** The numbers of places that are known from the beginning. One that is not finite is replaced by
@@ -293,23 +287,14 @@ private:
   {
     auto& keys = this->Components[c];
     const double base = this->GetBase(v, c);
-    Guess guess;
-    if (std::isfinite(base))
-    {
-      guess.SetNumber(base + predicted);
-    }
-    else
-    {
-      guess.Predicted = keys.Before[v];
-    }
-    const Key key = this->Values[c].GetValue(guess, own, keys.Now[v]);
+    const Key key = this->Values[c].GetValue(MakeGuess(base, predicted, keys, v), own, keys.Now[v]);
     keys.Now[v] = key;
     const double number = this->ToNumber(c, key) - base;
     this->Last[c] = std::isfinite(number) ? number : predicted;
     this->Numbers.Set(v, c, this->Last[c]);
   }
 
-  const bool IsChange;
+  const TemporalMode Temporal;
   const PlacesOf& Places;
   const std::span<AnyValues> Values;
   const std::span<ComponentKeys> Components;
@@ -356,9 +341,9 @@ void CodePlain(Coder& coder, TemporalMode temporal, const PlacesOf& places, bool
   const bool areFloats = std::all_of(domains.begin(), domains.end(), Float32Domain::Matches);
   const bool areShifted =
     std::all_of(domains.begin(), domains.end(), ShiftedFloat32Domain::Matches);
-  const auto code = [&](auto numbers, std::size_t first, std::size_t count)
+  const auto code = [&]<typename PlainNumbers>(
+                      std::type_identity<PlainNumbers>, std::size_t first, std::size_t count)
   {
-    using PlainNumbers = typename decltype(numbers)::value_type;
     const auto someDomains = domains.subspan(first, count);
     const auto some = components.subspan(first, count);
     if (areFloats)
@@ -377,18 +362,18 @@ void CodePlain(Coder& coder, TemporalMode temporal, const PlacesOf& places, bool
         coder, temporal, places, onLattice, someDomains, some);
     }
   };
-  for (std::size_t first = 0; first < components.size();)
+  constexpr std::size_t most = PlainNumbersOfFour::Components;
+  for (std::size_t first = 0; first < components.size(); first += most)
   {
-    const auto count = std::min(PlainNumbersOfFour::Components, components.size() - first);
+    const auto count = std::min(most, components.size() - first);
     if (count == 1)
     {
-      code(std::optional<PlainNumbersOfOne>(), first, count);
+      code(std::type_identity<PlainNumbersOfOne>(), first, count);
     }
     else
     {
-      code(std::optional<PlainNumbersOfFour>(), first, count);
+      code(std::type_identity<PlainNumbersOfFour>(), first, count);
     }
-    first += count;
   }
 }
 }

@@ -4,7 +4,7 @@
 #ifndef gatunPlainResiduals_h
 #define gatunPlainResiduals_h
 
-#include "gatunDomain.h"
+#include "gatunPlainKeys.h"
 #include "gatunResidual.h"
 
 #include <algorithm>
@@ -29,28 +29,32 @@ public:
   /** Stands for a value that has no number of steps. Its key is the next one of Keys. */
   static constexpr std::int64_t NoSteps = std::numeric_limits<std::int64_t>::min();
 
-  /** Codes a number of residuals. domain: that of the keys. isBounded: whether residuals are
-   * numbers of steps. zero: the key of the number 0. */
-  template <typename Coder, typename AnyDomain>
-  void Code(Coder& coder, const AnyDomain& domain, bool isBounded, Key zero, std::size_t count)
+  /** bits: those of keys. zero: the key of the number 0. */
+  PlainResiduals(unsigned bits, Key zero)
+    : Bits(bits)
+    , Zero(zero)
+  {
+  }
+
+  /** Codes a number of residuals. */
+  template <typename Coder>
+  void Code(Coder& coder, std::size_t count)
   {
     this->Residuals.resize(count);
     std::array<LengthModel, Contexts> lengths;
     RunningSpread running;
-    Key last = 0;
-    std::size_t found = 0;
     for (auto& residual : this->Residuals)
     {
-      const bool isSpecial = isBounded && residual == NoSteps;
+      const bool isSpecial = this->IsBounded && residual == NoSteps;
       const auto magnitude = residual < 0 ? 0 - static_cast<std::uint64_t>(residual)
                                           : static_cast<std::uint64_t>(residual);
       const auto spread = running.Get();
       const auto length = lengths[std::min(spread, Contexts - 1)].Code(coder,
         static_cast<int>(spread),
         isSpecial ? static_cast<int>(SpecialLength) : static_cast<int>(std::bit_width(magnitude)));
-      if (isBounded && length > MostSteps)
+      if (this->IsBounded && length > MostSteps)
       {
-        this->CodeSpecial(coder, length, domain.GetBits(), zero, found++, last);
+        this->CodeSpecial(coder, length);
         residual = NoSteps;
         continue;
       }
@@ -59,6 +63,7 @@ public:
     }
   }
 
+  bool IsBounded = false; ///< whether residuals are numbers of steps
   std::vector<std::int64_t> Residuals;
   std::vector<Key> Keys;
 
@@ -86,33 +91,35 @@ private:
   }
 
   template <typename Coder>
-  void CodeSpecial(
-    Coder& coder, unsigned length, unsigned bits, Key zero, std::size_t index, Key& last)
+  void CodeSpecial(Coder& coder, unsigned length)
   {
     if (length != SpecialLength)
     {
       ThrowCorrupt("a value is too many steps away");
     }
-    unsigned kind = IsZero;
-    if constexpr (Coder::Encoding)
-    {
-      const Key key = this->Keys[index];
-      kind = key == zero ? IsZero : key == last ? Again : Raw;
-    }
-    kind = static_cast<unsigned>(coder.Raw(kind, 2));
+    const Key key = Coder::Encoding ? this->Keys[this->Specials++] : 0;
+    const auto kind = static_cast<unsigned>(coder.Raw(key == this->Zero ? IsZero
+        : key == this->Last                                             ? Again
+                                                                        : Raw,
+      2));
     if (kind > Raw)
     {
       ThrowCorrupt("a value is of an unknown kind");
     }
     if (kind == Raw)
     {
-      last = coder.Raw(Coder::Encoding ? this->Keys[index] : 0, bits);
+      this->Last = coder.Raw(key, this->Bits);
     }
     if constexpr (!Coder::Encoding)
     {
-      this->Keys.push_back(kind == IsZero ? zero : last);
+      this->Keys.push_back(kind == IsZero ? this->Zero : this->Last);
     }
   }
+
+  const unsigned Bits;
+  const Key Zero;
+  std::size_t Specials = 0; // that are encoded
+  Key Last = 0;             // the last raw key
 };
 }
 

@@ -4,50 +4,15 @@
 #ifndef gatunQuadraticCoder_h
 #define gatunQuadraticCoder_h
 
-#include "gatunGuess.h"
 #include "gatunPointContext.h"
+#include "gatunQuadraticPlaces.h"
 #include "gatunQuadraticPredictor.h"
 
-#include <cmath>
 #include <cstddef>
+#include <span>
 
 namespace gatun
 {
-
-/** The own points of a chunk, for CodeQuadratic. */
-struct OwnPoints
-{
-  const PointContext& Context;
-
-  const QuadraticFit& GetFit() const { return *this->Context.Quadratic; }
-  std::size_t GetNumber() const { return this->Context.OwnIds.size(); }
-  Vertex GetPlace(std::size_t own) const { return this->Context.OwnIds[own]; }
-  bool IsKnown(Vertex v) const { return this->Context.Mesh->IsShared(v); }
-  std::optional<double> Predict(std::size_t own, std::span<const double> numbers) const
-  {
-    return PredictByGate(this->Context, own, numbers);
-  }
-};
-
-/** The cells of a chunk, or the points of a block. */
-struct AllPlaces
-{
-  const CellContext& Context;
-  std::size_t Number;
-
-  const QuadraticFit& GetFit() const { return *this->Context.Quadratic; }
-  std::size_t GetNumber() const { return this->Number; }
-  static Vertex GetPlace(std::size_t i) { return static_cast<Vertex>(i); }
-  static bool IsKnown(Vertex) { return false; }
-  std::optional<double> Predict(std::size_t i, std::span<const double> numbers) const
-  {
-    const auto from = this->Context.IsBlock() || this->Context.Parents[i] == Topology::NoTet
-      ? static_cast<std::uint32_t>(i) - 1 // wraps around for the first one
-      : this->Context.Parents[i];
-    return from < i ? std::optional(numbers[from]) : std::nullopt;
-  }
-};
-
 /**
  * Codes one component by the mode Quadratic. Changes are predicted as values are, by the changes at
  * neighbors. places: OwnPoints or AllPlaces. values: ExactValues or BoundedValues.
@@ -57,8 +22,7 @@ void CodeQuadratic(
   Coder& coder, TemporalMode temporal, const PlacesOf& places, Values&& values, ComponentKeys& keys)
 {
   const auto& domain = values.GetDomain();
-  const bool isChange = temporal == TemporalMode::Change;
-  const auto getBase = [&](Vertex v) { return isChange ? domain.ToNumber(keys.Before[v]) : 0.0; };
+  const auto getBase = [&](Vertex v) { return GetBase(domain, temporal, keys, v); };
   QuadraticPredictor predictor(places.GetFit(), keys.Now.size());
   for (Vertex v = 0; v < keys.Now.size(); ++v)
   {
@@ -73,16 +37,11 @@ void CodeQuadratic(
     const double base = getBase(v);
     const auto prediction = predictor.Predict(
       own, [&](std::span<const double> numbers) { return places.Predict(own, numbers); });
-    Guess guess;
+    Guess guess = MakeGuess(base, prediction.Number, keys, v);
     guess.Group = prediction.HasNeighbors ? 1 : 0;
-    if (std::isfinite(base))
+    if (guess.HasNumber && prediction.HasError)
     {
-      guess.SetNumber(base + prediction.Number);
-      guess.Error = prediction.HasError ? prediction.Error : -1;
-    }
-    else
-    {
-      guess.Predicted = keys.Before[v];
+      guess.Error = prediction.Error;
     }
     keys.Now[v] = values.Code(coder, guess, v, keys.Now[v]);
     predictor.Learn(v, domain.ToNumber(keys.Now[v]) - base);

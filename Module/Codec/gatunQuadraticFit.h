@@ -6,6 +6,7 @@
 
 #include "gatunNeighborLists.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -74,6 +75,14 @@ private:
   std::vector<float> Linear;
   std::vector<float> Shares;
 };
+
+/** The number that a function predicts. first: that at the nearest neighbor, so that a constant is
+ * predicted exactly. difference: the weighted sum of what other neighbors have more. */
+inline double AddDifference(double first, double difference)
+{
+  const double sum = first + difference;
+  return std::isfinite(sum) ? sum : first;
+}
 
 /** The weights of the cells around each cell, all cells being coded in their order. starts,
  * corners: as in NeighborLists::OfCells. points: coordinates of the corners. */

@@ -68,8 +68,8 @@ public:
     }
     const double first = this->Numbers[neighbors.Ids.front()];
     const Sums sums = this->SumUp(neighbors, first);
-    const double a = Add(first, sums.Fits[0]);
-    const double b = Add(first, sums.Fits[1]);
+    const double a = AddDifference(first, sums.Fits[0]);
+    const double b = AddDifference(first, sums.Fits[1]);
     const std::optional<double> found = other(std::span<const double>(this->Numbers));
     const double c = found && std::isfinite(*found) ? *found : a;
     const double blend =
@@ -129,13 +129,6 @@ private:
   }
 
   static constexpr double MaxError = 1e300;
-
-  /** first: the number at the nearest neighbor, so that a constant is predicted exactly. */
-  static double Add(double first, double difference)
-  {
-    const double sum = first + difference;
-    return std::isfinite(sum) ? sum : first;
-  }
 
   /** Mean of predictions with weights of 1 / error^4. */
   static double Blend(double a, double b, double c, double errorA, double errorB, double errorC)

@@ -11,8 +11,9 @@
 
 namespace gatun
 {
-/** A text for messages: names in files may have any bytes. Control characters, but for tabs and
- * ends of lines, and bytes that are not UTF-8 become \xHH. */
+/** Printable text for messages: names in files may have any bytes. Control characters, but for tabs
+ * and ends of lines, and bytes that are not UTF-8 become a backslash, an x, and two hexadecimal
+ * digits. */
 GATUN_EXPORT std::string MakePrintable(std::string_view text);
 }
 

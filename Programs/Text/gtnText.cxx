@@ -16,10 +16,20 @@
 namespace gtn
 {
 //------------------------------------------------------------------------------
+namespace
+{
+/** A reason that begins with the name of the file. */
+std::string MakeReason(const std::string& file, const std::string& reason)
+{
+  const std::string name = gatun::MakePrintable(file) + ": ";
+  const std::string text = gatun::MakePrintable(reason);
+  return text.starts_with(name) ? text : name + text;
+}
+}
+
+//------------------------------------------------------------------------------
 Failure::Failure(const std::string& file, const std::string& reason)
-  : std::runtime_error(reason.starts_with(gatun::MakePrintable(file) + ": ")
-        ? reason
-        : gatun::MakePrintable(file + ": " + reason))
+  : std::runtime_error(MakeReason(file, reason))
 {
 }
 

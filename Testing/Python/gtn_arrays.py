@@ -56,7 +56,7 @@ class ArrayStream:
     def guess(self, number, error, group, place):
         """A key of which a number and, if it is known, its error are predicted (10.10)."""
         if self.spatial == PLAIN_QUADRATIC:
-            return self.plain(float(number))
+            return self.plain(float(number) if self.bounded else self.domain.from_number(number))
         if self.bounded:
             return self.bounded.value(float(number), place, (), error)
         p, spread = self.domain.from_number(number), None
@@ -80,9 +80,9 @@ class ArrayStream:
         self.running.update(d)
         return self.domain.add(prediction, d)
 
-
     def plain(self, prediction):
-        """A key in the mode plain quadratic (10.11). prediction: a number or a key."""
+        """A key in the mode plain quadratic (10.11). prediction: a key, or a number for values with
+        errors."""
         spread = self.running.spread()
         length, _ = self.coded.length(("plain", min(spread, 15)), spread)
         if self.bounded and length > 46:
@@ -94,9 +94,7 @@ class ArrayStream:
         self.running.update(d)
         if self.bounded:
             return self.bounded.key(prediction, d)
-        is_number = isinstance(prediction, float)
-        return self.domain.add(
-            self.domain.from_number(prediction) if is_number else prediction, d)
+        return self.domain.add(prediction, d)
 
 
 def decode_list(stream, domains, count, before=None, parents=None, lists=None):

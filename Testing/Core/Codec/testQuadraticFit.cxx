@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gatunError.h"
 #include "gatunFloatEnvironment.h"
 #include "gatunNeighborLists.h"
 #include "gatunQuadraticLanes.h"
@@ -12,10 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <functional>
-#include <iterator>
-#include <limits>
-#include <memory>
 #include <random>
 #include <set>
 #include <span>

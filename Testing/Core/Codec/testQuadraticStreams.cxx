@@ -313,8 +313,9 @@ void DecodeResiduals(bool isBounded, Write&& write)
   write(encoder, model);
   const auto stream = encoder.Finish();
   EntropyDecoder decoder(stream);
-  PlainResiduals residuals;
-  residuals.Code(decoder, Domain(ScalarType::Float64), isBounded, 0, 1);
+  PlainResiduals residuals(64, 0);
+  residuals.IsBounded = isBounded;
+  residuals.Code(decoder, 1);
 }
 
 TEST(QuadraticStreams, ResidualsThatDoNotExistAreRejected)
@@ -364,7 +365,8 @@ TEST(QuadraticStreams, AnyStreamGivesKeysOrAnError)
   std::mt19937 random(11);
   for (unsigned round = 0; round < 300; ++round)
   {
-    Bytes stream{ 3, static_cast<std::uint8_t>(round % 2 * 2) };
+    const auto mode = round % 4 < 2 ? SpatialMode::Quadratic : SpatialMode::PlainQuadratic;
+    Bytes stream{ static_cast<std::uint8_t>(mode), static_cast<std::uint8_t>(round % 2 * 2) };
     for (unsigned i = 0; i < 600; ++i)
     {
       stream.push_back(static_cast<std::uint8_t>(i == 0 ? 100 + round % 28 : random()));
