@@ -11,7 +11,8 @@ import sys
 import gatunGolden as golden
 
 try:
-    from describe_decoded import describe_decoded, describe_layers, describe_tree
+    from describe_decoded import (
+        describe_decoded, describe_decoder, describe_layers, describe_tree)
 except ImportError as error:
     print(error)
     sys.exit(golden.gm.SKIPPED)
@@ -39,16 +40,16 @@ def is_rejected(data):
 
 
 for folder in golden.folders():
+    decoders = {}
     for name, expected in golden.expected(folder).items():
         path = os.path.join(folder, name)
         with open(path, "rb") as file:
-            described = describe_decoded(file.read())
+            decoders[name] = Decoder(file.read())
+        described = describe_decoder(decoders[name])
         golden.assert_same(expected, described, path)
         golden.assert_same(golden.describe_read(path), described, path)
 
-    for name in golden.expected(folder):
-        with open(os.path.join(folder, name), "rb") as file:
-            decoder = Decoder(file.read())
+    for name, decoder in decoders.items():
         boundary = decoder.boundary()
         has_boundary = folder.endswith("v1.5") or name in (
             "bounded_boundary.gtn", "moving_tree.gtn", "returning_levels.gtn", "series_levels.gtn")
@@ -59,9 +60,7 @@ for folder in golden.folders():
     trees = os.path.join(folder, "trees.txt")
     if os.path.exists(trees):
         lines = []
-        for name in golden.expected(folder):
-            with open(os.path.join(folder, name), "rb") as file:
-                decoder = Decoder(file.read())
+        for name, decoder in decoders.items():
             lines += describe_tree(decoder, name)
             check_ranges(decoder)
             check_dependencies(decoder)
@@ -75,9 +74,7 @@ for folder in golden.folders():
     layers = os.path.join(folder, "layers.txt")
     if os.path.exists(layers):
         lines = []
-        for name in golden.expected(folder):
-            with open(os.path.join(folder, name), "rb") as file:
-                decoder = Decoder(file.read())
+        for name, decoder in decoders.items():
             lines += describe_layers(decoder, name)
             check_layers(decoder)
         with open(layers, encoding="utf-8") as file:

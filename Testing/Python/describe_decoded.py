@@ -72,7 +72,10 @@ def hashes(decoder, order, restore, steps):
 
 
 def describe_decoded(data):
-    decoder = Decoder(data)
+    return describe_decoder(Decoder(data))
+
+
+def describe_decoder(decoder):
     series = decoder.container.series
     if series is None:
         return without_equal_places(describe_mesh(decoder, range(len(decoder.steps))))

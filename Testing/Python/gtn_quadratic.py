@@ -26,14 +26,14 @@ def offset(place, center):
 def rank(place, center):
     """The squared distance in binary32 (10.8)."""
     x, y, z = offset(place, center)
-    with np.errstate(all="ignore"):
-        square = float(F(x * x + y * y + z * z))
+    square = float(F(x * x + y * y + z * z))
     return math.inf if math.isnan(square) else square
 
 
 def nearest(center, candidates, places, most=MOST):
     """The nearest of some places around another one, in their order (10.8)."""
-    ranked = sorted((rank(places[u], places[center]), u) for u in set(candidates) - {center})
+    with np.errstate(all="ignore"):
+        ranked = sorted((rank(places[u], places[center]), u) for u in set(candidates) - {center})
     return [u for _, u in ranked[:most]]
 
 
@@ -117,6 +117,11 @@ def find_block_neighbors(places):
     return result
 
 
+# Weights of many places at once (10.9): each number is an array over these places, of binary32 but
+# for coordinates. Lists over the neighbors are as long as the longest one; exists tells for each of
+# their entries which places have it, and what others have there is 0, which changes no sum.
+
+
 def solve(m):
     """g with m g = (0, ..., 0, 1); m: the lower half of a matrix (10.9)."""
     n = len(m)
@@ -141,25 +146,25 @@ def solve(m):
     return g
 
 
-def offsets_of(center, places):
-    """Offsets of neighbors in binary32, and whether they can be used."""
+def offsets_of(center, places, exists):
+    """Offsets of neighbors in binary32, 0 if they cannot be used."""
     total = 0.0
-    for place in places:
+    for place, has in zip(places, exists):
         x, y, z = offset(place, center)
-        total += x * x + y * y + z * z
-    mean = total / len(places)
-    if not 0 < mean < math.inf:
-        return [(F(0), F(0), F(0))] * len(places)
-    scale = divide(1.0, math.sqrt(mean))
-    return [tuple(F(a * scale) for a in offset(place, center)) for place in places]
+        total = total + np.where(has, x * x + y * y + z * z, 0.0)
+    mean = total / sum(exists)
+    is_usable = (mean > 0) & (mean < math.inf)
+    scale = 1.0 / np.sqrt(mean)
+    return [tuple(np.where(has & is_usable, a * scale, 0.0).astype(F) for a in offset(place, center))
+            for place, has in zip(places, exists)]
 
 
-def whitened(offsets):
+def whitened(offsets, exists):
     xx = xy = xz = yy = yz = zz = F(0)
     for x, y, z in offsets:
         xx, xy, xz = xx + x * x, xy + x * y, xz + x * z
         yy, yz, zz = yy + y * y, yz + y * z, zz + z * z
-    part = F(3) / F(len(offsets))
+    part = F(3) / sum(exists).astype(F)
     ridge = F(0.01) * (xx * part + yy * part + zz * part)
     a = F(1) / np.sqrt(xx * part + ridge)
     xy_a = xy * part * a
@@ -168,16 +173,16 @@ def whitened(offsets):
     yz_b = (yz * part - xy_a * xz_a) * b
     c = F(1) / np.sqrt(zz * part + ridge - xz_a * xz_a - yz_b * yz_b)
     result = []
-    for x, y, z in offsets:
+    for (x, y, z), has in zip(offsets, exists):
         x = x * a
         y = (y - xy_a * x) * b
         z = (z - xz_a * x - yz_b * y) * c
-        result.append((x, y, z))
+        result.append(tuple(np.where(has, value, F(0)) for value in (x, y, z)))
     return result
 
 
-def nearness(x, y, z):
-    return F(1) / (x * x + y * y + z * z + F(0.001))
+def nearness(x, y, z, has):
+    return np.where(has, F(1) / (x * x + y * y + z * z + F(0.001)), F(0))
 
 
 # Exponents of the functions 0 to 9, of which the last is 1, and of the smooth fit.
@@ -201,10 +206,10 @@ def quadratic_sums(h, x, y, z, sums):
         sums[name] = sums.get(name, F(0)) + value
 
 
-def fit_quadratic(offsets):
+def fit_quadratic(offsets, exists):
     sums, h = {}, []
-    for x, y, z in offsets:
-        near = nearness(x, y, z)
+    for (x, y, z), has in zip(offsets, exists):
+        near = nearness(x, y, z, has)
         h.append(near * near * near)
         quadratic_sums(h[-1], x, y, z, sums)
     m = [[sums["".join(sorted(f + e))] for e in QUADRATIC[: i + 1]]
@@ -218,10 +223,10 @@ def fit_quadratic(offsets):
         for w, (x, y, z) in zip(h, offsets)]
 
 
-def fit_linear(offsets):
+def fit_linear(offsets, exists):
     sums, h = {name: F(0) for name in ("", *QUADRATIC)}, []
-    for x, y, z in offsets:
-        near = nearness(x, y, z)
+    for (x, y, z), has in zip(offsets, exists):
+        near = nearness(x, y, z, has)
         w = near * near
         h.append(w)
         wx, wy, wz = w * x, w * y, w * z
@@ -236,32 +241,27 @@ def fit_linear(offsets):
     return [w * (g[3] + x * g[0] + y * g[1] + z * g[2]) for w, (x, y, z) in zip(h, offsets)]
 
 
-def checked(weights):
+def checked(weights, exists):
     total = F(0)
-    for w in weights:
-        total = total + abs(w)
-    if total <= F(10000):
-        return [float(w) for w in weights]
-    return [float(F(1) / F(len(weights)))] * len(weights)
+    for w, has in zip(weights, exists):
+        total = total + np.where(has, abs(w), F(0))
+    return [np.where(total <= F(10000), w, F(1) / sum(exists).astype(F)) for w in weights]
 
 
-def find_weights(center, places, known_errors):
-    """Quadratic and linear weights, and shares (10.9). known_errors: whether each neighbor is an
-    own vertex."""
-    if not places:
-        return [], [], []
+def find_weights(center, places, exists, has_error):
+    """Quadratic and linear weights, and shares (10.9). center: x, y, z; places: the same of each
+    neighbor; has_error: whether each one is an own vertex."""
     with np.errstate(all="ignore"):
-        offsets = offsets_of(center, places)
+        offsets = offsets_of(center, places, exists)
         shares, total = [], F(0)
-        for (x, y, z), known in zip(offsets, known_errors):
-            share = F(1 if known else 0) / (x * x + y * y + z * z + F(0.3))
+        for (x, y, z), has in zip(offsets, has_error & exists):
+            share = has.astype(F) / (x * x + y * y + z * z + F(0.3))
             shares.append(share)
             total = total + share
-        if total > 0:
-            shares = [share / total for share in shares]
-        offsets = whitened(offsets)
-        quadratic, linear = fit_quadratic(offsets), fit_linear(offsets)
-        return checked(quadratic), checked(linear), [float(share) for share in shares]
+        shares = [np.where(total > 0, share / total, share) for share in shares]
+        offsets = whitened(offsets, exists)
+        quadratic, linear = fit_quadratic(offsets, exists), fit_linear(offsets, exists)
+        return checked(quadratic, exists), checked(linear, exists), shares
 
 
 def blend(a, b, c, errors):
@@ -281,10 +281,20 @@ class Lists:
     """Neighbors, their quadratic and linear weights, and shares of each place to decode."""
 
     def __init__(self, lists, centers, places, is_shared=None):
-        self.lists = [
-            (found, *find_weights(places[v], [places[u] for u in found],
-                                  [is_shared is None or not is_shared[u] for u in found]))
-            for v, found in zip(centers, lists)]
+        self.lists = [([], [], [], [])] * len(lists)
+        some = [i for i, found in enumerate(lists) if found]
+        if not some:
+            return
+        places = np.array(places, float)
+        has_error = np.ones(len(places), bool) if is_shared is None else ~np.array(is_shared, bool)
+        most = max(len(lists[i]) for i in some)
+        exists = np.array([[k < len(lists[i]) for i in some] for k in range(most)])
+        neighbors = np.array([lists[i] + [0] * (most - len(lists[i])) for i in some]).T
+        weights = find_weights(
+            places[[centers[i] for i in some]].T, [places[u].T for u in neighbors], exists,
+            has_error[neighbors])
+        for i, *of_place in zip(some, *(np.array(w, float).T.tolist() for w in weights)):
+            self.lists[i] = lists[i], *of_place
 
     def __getitem__(self, i):
         return self.lists[i]
