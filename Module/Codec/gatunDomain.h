@@ -263,6 +263,63 @@ private:
   std::uint32_t Half; // the highest one of them
   std::uint32_t Last;
 };
+
+/** The same for the scale Binary, of any type. */
+class BinaryDomain
+{
+public:
+  explicit BinaryDomain(const Domain& domain)
+    : Type(domain.GetType())
+    , Bits(domain.GetBits())
+    , Zero(std::int64_t{ 1 } << Scale::GetBinaryDigits(this->Type))
+    , Unit(std::ldexp(1.0, domain.GetScale().First))
+    , PerUnit(1 / this->Unit)
+  {
+  }
+
+  static bool Matches(const Domain& domain)
+  {
+    return !domain.GetPalette() && domain.GetScale().Kind == ScaleKind::Binary;
+  }
+
+  ScalarType GetType() const { return this->Type; }
+  unsigned GetBits() const { return this->Bits; }
+  bool IsValid(Key key) const { return key <= 2 * static_cast<Key>(this->Zero); }
+
+  double ToNumber(Key key) const
+  {
+    return static_cast<double>(static_cast<std::int64_t>(key) - this->Zero) * this->Unit;
+  }
+
+  Key FromNumber(double number) const
+  {
+    const bool isFinite = std::abs(number) <= std::numeric_limits<double>::max();
+    const double inUnits = isFinite ? number * this->PerUnit : 0;
+    const auto end = static_cast<double>(this->Zero);
+    const double bounded = inUnits > end ? end : inUnits < -end ? -end : inUnits;
+    // Toward 0, which is as Domain does it.
+    const auto multiple = static_cast<std::int64_t>(bounded + std::copysign(0.5, bounded));
+    return static_cast<Key>(this->Zero + multiple);
+  }
+
+  std::int64_t Subtract(Key key, Key predicted) const
+  {
+    const unsigned unused = 64 - this->Bits;
+    return static_cast<std::int64_t>((key - predicted) << unused) >> unused;
+  }
+
+  Key Add(Key predicted, std::int64_t residual) const
+  {
+    return (predicted + static_cast<Key>(residual)) & ((Key{ 1 } << this->Bits) - 1);
+  }
+
+private:
+  ScalarType Type;
+  unsigned Bits;
+  std::int64_t Zero; // its key
+  double Unit;       // the distance of values
+  double PerUnit;
+};
 }
 
 #endif

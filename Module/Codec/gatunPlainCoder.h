@@ -338,9 +338,11 @@ template <typename Coder, typename PlacesOf>
 void CodePlain(Coder& coder, TemporalMode temporal, const PlacesOf& places, bool onLattice,
   std::span<const Domain> domains, std::span<ComponentKeys> components)
 {
-  const bool areFloats = std::all_of(domains.begin(), domains.end(), Float32Domain::Matches);
-  const bool areShifted =
-    std::all_of(domains.begin(), domains.end(), ShiftedFloat32Domain::Matches);
+  const auto match = [&](auto&& matches)
+  { return std::all_of(domains.begin(), domains.end(), matches); };
+  const bool areFloats = match(Float32Domain::Matches);
+  const bool areShifted = match(ShiftedFloat32Domain::Matches);
+  const bool areBinary = match(BinaryDomain::Matches);
   const auto code = [&]<typename PlainNumbers>(
                       std::type_identity<PlainNumbers>, std::size_t first, std::size_t count)
   {
@@ -354,6 +356,11 @@ void CodePlain(Coder& coder, TemporalMode temporal, const PlacesOf& places, bool
     else if (areShifted)
     {
       CodePlainTogether<PlainNumbers, ShiftedFloat32Domain>(
+        coder, temporal, places, onLattice, someDomains, some);
+    }
+    else if (areBinary)
+    {
+      CodePlainTogether<PlainNumbers, BinaryDomain>(
         coder, temporal, places, onLattice, someDomains, some);
     }
     else

@@ -74,6 +74,8 @@ bool Scale::IsValid(ScalarType type) const
         this->First - (this->Digits - 1) <= MaxPower;
     case ScaleKind::Fixed:
       return IsFloating(type) && this->Digits <= MaxPower;
+    case ScaleKind::Binary:
+      return IsFloating(type) && this->First >= MinBinary && this->First <= MaxBinary;
     default:
       return false;
   }
@@ -91,7 +93,12 @@ ScaledKeys::ScaledKeys(ScalarType type, const Scale& scale)
     return;
   }
   this->Zero = MaxMultiple;
-  if (scale.Kind == ScaleKind::Decimal)
+  if (scale.Kind == ScaleKind::Binary)
+  {
+    this->Zero = Key{ 1 } << Scale::GetBinaryDigits(type);
+    this->Unit = std::ldexp(1.0, scale.First);
+  }
+  else if (scale.Kind == ScaleKind::Decimal)
   {
     this->Lowest = static_cast<Key>(GetPowerOfTen(scale.Digits - 1));
     this->Decade = 9 * this->Lowest;
@@ -134,7 +141,11 @@ double ScaledKeys::ToNumber(Key key) const
   const bool isNegative = key < this->Zero;
   Key rank = isNegative ? this->Zero - key : key - this->Zero;
   double number = 0;
-  if (this->Steps.Kind == ScaleKind::Fixed)
+  if (this->Steps.Kind == ScaleKind::Binary)
+  {
+    number = static_cast<double>(rank) * this->Unit;
+  }
+  else if (this->Steps.Kind == ScaleKind::Fixed)
   {
     number = ScaleByPower(static_cast<double>(rank), -int{ this->Steps.Digits });
   }
@@ -164,14 +175,17 @@ Key ScaledKeys::FromNumber(double number) const
   }
   const double magnitude = std::abs(number);
   Key rank = 0;
-  if (this->Steps.Kind == ScaleKind::Fixed)
+  if (this->Steps.Kind == ScaleKind::Decimal)
   {
-    const double multiple = std::floor(magnitude * GetPowerOfTen(this->Steps.Digits) + 0.5);
-    rank = multiple < static_cast<double>(MaxMultiple) ? static_cast<Key>(multiple) : MaxMultiple;
+    rank = this->FindDecimal(magnitude);
   }
   else
   {
-    rank = this->FindDecimal(magnitude);
+    const double inUnits = this->Steps.Kind == ScaleKind::Binary
+      ? magnitude / this->Unit
+      : magnitude * GetPowerOfTen(this->Steps.Digits);
+    const double multiple = std::floor(inUnits + 0.5);
+    rank = multiple < static_cast<double>(this->Zero) ? static_cast<Key>(multiple) : this->Zero;
   }
   return number < 0 ? this->Zero - rank : this->Zero + rank;
 }

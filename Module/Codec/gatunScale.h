@@ -17,7 +17,8 @@ enum class ScaleKind : std::uint8_t
   None = 0,
   Shift = 1,   ///< the lowest bits of all values are 0
   Decimal = 2, ///< decimal numbers of so many significant digits
-  Fixed = 3    ///< decimal numbers of so many digits behind the point
+  Fixed = 3,   ///< decimal numbers of so many digits behind the point
+  Binary = 4   ///< multiples of a power of two
 };
 
 /** Which values of a type a component may have. See Documentation/format.md, 5.2. */
@@ -25,7 +26,7 @@ struct Scale
 {
   ScaleKind Kind = ScaleKind::None;
   std::uint8_t Digits = 0; ///< or the bits that are 0
-  std::int8_t First = 0;   ///< Decimal: values other than 0 are at least 10^First
+  std::int8_t First = 0;   ///< Decimal: values other than 0 are at least 10^First; Binary: 2^First
 
   bool operator==(const Scale&) const = default;
 
@@ -37,6 +38,16 @@ struct Scale
   // Powers of ten up to 10^22 are numbers of binary64.
   static constexpr int MaxPower = 22;
   static constexpr int MaxDigits = 15; // of Decimal
+
+  /** Of Binary: values are less than 2^(First + this). float32 has all such multiples; of 52 digits,
+   * 0.5 can be added exactly. */
+  static constexpr int GetBinaryDigits(ScalarType type)
+  {
+    return type == ScalarType::Float32 ? 24 : 52;
+  }
+  // Of Binary, so that float32 has all multiples.
+  static constexpr int MinBinary = -126;
+  static constexpr int MaxBinary = 103;
 };
 
 /** The keys of a scale, which must be valid, and the plain keys of the same values. */
@@ -69,6 +80,7 @@ private:
   unsigned Bits = 0;
   std::uint64_t Last = 0;
   std::uint64_t Zero = 0;   // the key of 0
+  double Unit = 1;          // Binary: the distance of values
   std::uint64_t Decade = 0; // keys of a decade
   std::uint64_t Lowest = 0; // 10^(Digits - 1)
 };

@@ -27,6 +27,7 @@ ScaleSurvey::ScaleSurvey(ScalarType type)
   this->Significant.IsPossible = IsFloating(type);
   this->Fixed.IsPossible = IsFloating(type);
   this->Fixed.Digits = 0;
+  this->Binary.IsPossible = IsFloating(type);
 }
 
 //------------------------------------------------------------------------------
@@ -42,7 +43,7 @@ void ScaleSurvey::Add(
     Key raw = 0;
     std::memcpy(&raw, next, size);
     this->Union |= raw;
-    if (this->Significant.IsPossible || this->Fixed.IsPossible)
+    if (this->HasNumbers())
     {
       this->AddNumber(this->Type == ScalarType::Float32
           ? std::bit_cast<float>(static_cast<std::uint32_t>(raw))
@@ -59,6 +60,7 @@ void ScaleSurvey::AddNumber(double number)
   {
     this->Significant.IsPossible = false;
     this->Fixed.IsPossible = false;
+    this->Binary.IsPossible = false;
     return;
   }
   if (number == 0)
@@ -71,6 +73,7 @@ void ScaleSurvey::AddNumber(double number)
   this->Exponents += std::ilogb(magnitude);
   this->AddSignificant(magnitude);
   this->AddFixed(magnitude);
+  this->AddBinary(magnitude);
 }
 
 //------------------------------------------------------------------------------
@@ -117,6 +120,31 @@ void ScaleSurvey::AddFixed(double magnitude)
 }
 
 //------------------------------------------------------------------------------
+void ScaleSurvey::AddBinary(double magnitude)
+{
+  if (!this->Binary.IsPossible)
+  {
+    return;
+  }
+  constexpr int digits = std::numeric_limits<double>::digits;
+  const int last = std::ilogb(magnitude);
+  const auto multiple = static_cast<std::uint64_t>(std::scalbn(magnitude, digits - 1 - last));
+  this->Binary.First =
+    std::min(this->Binary.First, last - (digits - 1) + std::countr_zero(multiple));
+  this->Binary.Last = std::max(this->Binary.Last, last);
+  this->CheckBinary();
+}
+
+//------------------------------------------------------------------------------
+void ScaleSurvey::CheckBinary()
+{
+  auto& all = this->Binary;
+  // Nothing is known yet if First is above Last.
+  all.IsPossible = all.IsPossible &&
+    (all.First > all.Last || all.Last - all.First < Scale::GetBinaryDigits(this->Type));
+}
+
+//------------------------------------------------------------------------------
 void ScaleSurvey::Put(ByteWriter& out) const
 {
   out.Put(this->Union);
@@ -128,6 +156,9 @@ void ScaleSurvey::Put(ByteWriter& out) const
     out.Put(static_cast<std::int32_t>(decimals->Last));
     out.Put(decimals->Sum);
   }
+  out.Put<std::uint8_t>(this->Binary.IsPossible);
+  out.Put(static_cast<std::int32_t>(this->Binary.First));
+  out.Put(static_cast<std::int32_t>(this->Binary.Last));
   out.Put(this->Largest);
   out.Put(this->Numbers);
   out.Put(this->Exponents);
@@ -145,6 +176,10 @@ void ScaleSurvey::Add(ByteReader& in)
     decimals->Last = std::max<int>(decimals->Last, in.Get<std::int32_t>());
     decimals->Sum += in.Get<std::int64_t>();
   }
+  this->Binary.IsPossible = in.Get<std::uint8_t>() != 0 && this->Binary.IsPossible;
+  this->Binary.First = std::min<int>(this->Binary.First, in.Get<std::int32_t>());
+  this->Binary.Last = std::max<int>(this->Binary.Last, in.Get<std::int32_t>());
+  this->CheckBinary();
   this->Largest = std::max(this->Largest, in.Get<double>());
   this->Numbers += in.Get<std::int64_t>();
   this->Exponents += in.Get<std::int64_t>();
@@ -174,6 +209,14 @@ bool ScaleSurvey::Holds(const Scale& scale) const
     case ScaleKind::Fixed:
       return this->Fixed.IsPossible && scale.Digits >= this->Fixed.Digits &&
         this->Largest * GetPowerOfTen(scale.Digits) < MaxMultipleOfDouble;
+    case ScaleKind::Binary:
+    {
+      const auto& all = this->Binary;
+      return all.IsPossible &&
+        (this->Numbers == 0 ||
+          (scale.First <= all.First &&
+            all.Last - scale.First < Scale::GetBinaryDigits(this->Type)));
+    }
     default:
       return true;
   }
@@ -196,15 +239,19 @@ Scale ScaleSurvey::Choose() const
   const auto count = static_cast<double>(this->Numbers);
   const int mantissa = this->Type == ScalarType::Float32 ? 23 : 52;
   double least = mantissa - best.Digits - static_cast<double>(this->Exponents) / count;
-  const auto consider = [&](const Scale& scale, double bits)
+  const auto consider = [&](const Scale& scale, double bits, double leastGain = 1)
   {
-    constexpr double leastGain = 1;
     if (scale.IsValid(this->Type) && this->Holds(scale) && bits + leastGain < least)
     {
       best = scale;
       least = bits;
     }
   };
+  if (const auto& all = this->Binary; all.IsPossible && all.First >= Scale::MinBinary)
+  {
+    const int first = std::min(all.First, Scale::MaxBinary);
+    consider({ ScaleKind::Binary, 0, static_cast<std::int8_t>(first) }, -first, 0.25);
+  }
   if (this->Significant.IsPossible)
   {
     const auto& all = this->Significant;

@@ -46,10 +46,19 @@ private:
     std::int64_t Sum = 0; // of the decades
   };
 
-  bool IsDone() const
+  /** What is known of the multiples of a power of two. */
+  struct Multiples
   {
-    return !this->Significant.IsPossible && !this->Fixed.IsPossible && (this->Union & 1) != 0;
+    bool IsPossible = true;
+    int First = std::numeric_limits<int>::max();   // the lowest bit that is not 0
+    int Last = std::numeric_limits<int>::lowest(); // the highest one
+  };
+
+  bool HasNumbers() const
+  {
+    return this->Significant.IsPossible || this->Fixed.IsPossible || this->Binary.IsPossible;
   }
+  bool IsDone() const { return !this->HasNumbers() && (this->Union & 1) != 0; }
   double Round(double number) const
   {
     return this->Type == ScalarType::Float32 ? static_cast<float>(number) : number;
@@ -57,12 +66,15 @@ private:
   void AddNumber(double number);
   void AddSignificant(double magnitude);
   void AddFixed(double magnitude);
+  void AddBinary(double magnitude);
+  void CheckBinary();
   unsigned CountZeroBits() const;
 
   ScalarType Type;
   Key Union = 0; // of the bits of all values
   Decimals Significant;
   Decimals Fixed;
+  Multiples Binary;
   double Largest = 0;
   std::int64_t Numbers = 0;   // other than 0
   std::int64_t Exponents = 0; // their sum

@@ -18,9 +18,10 @@ constexpr std::uint32_t MaxComponents = 1u << 16;
 
 // What stands for a scale in place of the size of a palette, before its kind is added.
 constexpr std::uint64_t ScaleMark = 1u << 16;
-constexpr std::uint64_t LastScaleKind = static_cast<std::uint64_t>(ScaleKind::Fixed);
+constexpr std::uint64_t LastScaleKind = static_cast<std::uint64_t>(ScaleKind::Fixed); // but Binary
 constexpr std::uint64_t CopyMark = ScaleMark + LastScaleKind + 1;
 constexpr std::uint64_t BoundMark = CopyMark + 1;
+constexpr std::uint64_t BinaryMark = BoundMark + 1;
 
 // Flags of a quantizer.
 constexpr std::uint8_t FlagLattice = 1;
@@ -49,6 +50,43 @@ Quantizer GetQuantizer(ByteReader& in, ScalarType type)
   rounding.Reached = in.Get<double>();
   Check(rounding.IsValid(type), "a bound of errors is impossible");
   return rounding;
+}
+
+void PutScale(ByteWriter& out, const Scale& scale)
+{
+  const bool isBinary = scale.Kind == ScaleKind::Binary;
+  out.PutVarint(isBinary ? BinaryMark : ScaleMark + static_cast<std::uint64_t>(scale.Kind));
+  if (!isBinary)
+  {
+    out.Put(scale.Digits);
+  }
+  if (isBinary || scale.Kind == ScaleKind::Decimal)
+  {
+    out.Put(scale.First);
+  }
+}
+
+bool IsScaleMark(std::uint64_t mark)
+{
+  return mark == BinaryMark || (mark > ScaleMark && mark <= ScaleMark + LastScaleKind);
+}
+
+/** mark: that of the scale, which has been read. */
+Scale GetScale(ByteReader& in, std::uint64_t mark, ScalarType type)
+{
+  Scale scale;
+  scale.Kind =
+    mark == BinaryMark ? ScaleKind::Binary : static_cast<ScaleKind>(mark - ScaleMark);
+  if (scale.Kind != ScaleKind::Binary)
+  {
+    scale.Digits = in.Get<std::uint8_t>();
+  }
+  if (scale.Kind == ScaleKind::Binary || scale.Kind == ScaleKind::Decimal)
+  {
+    scale.First = in.Get<std::int8_t>();
+  }
+  Check(scale.IsValid(type), "a scale is impossible for its type");
+  return scale;
 }
 
 std::uint64_t GetLimit(std::span<const std::uint8_t> packed, std::uint64_t small)
@@ -99,12 +137,7 @@ void PutPalette(ByteWriter& out, const PaletteRef& palette)
   }
   if (palette.Steps)
   {
-    out.PutVarint(ScaleMark + static_cast<std::uint64_t>(palette.Steps.Kind));
-    out.Put(palette.Steps.Digits);
-    if (palette.Steps.Kind == ScaleKind::Decimal)
-    {
-      out.Put(palette.Steps.First);
-    }
+    PutScale(out, palette.Steps);
     return;
   }
   out.PutVarint(palette.Count);
@@ -131,15 +164,9 @@ PaletteRef GetPalette(ByteReader& in, ScalarType type)
     palette.Count = 0;
     palette.Rounding = GetQuantizer(in, type);
   }
-  if (palette.Count > ScaleMark && palette.Count <= ScaleMark + LastScaleKind)
+  if (IsScaleMark(palette.Count))
   {
-    palette.Steps.Kind = static_cast<ScaleKind>(palette.Count - ScaleMark);
-    palette.Steps.Digits = in.Get<std::uint8_t>();
-    if (palette.Steps.Kind == ScaleKind::Decimal)
-    {
-      palette.Steps.First = in.Get<std::int8_t>();
-    }
-    Check(palette.Steps.IsValid(type), "a scale is impossible for its type");
+    palette.Steps = GetScale(in, palette.Count, type);
     palette.Count = 0;
   }
   if (palette.Count > 0)

@@ -68,7 +68,7 @@ Key TakeKey(Input& in, const Domain& domain)
 /** Any scale, or none. */
 Scale TakeScale(Input& in, ScalarType type)
 {
-  const Scale scale{ static_cast<ScaleKind>(1 + in.Take<std::uint8_t>() % 3),
+  const Scale scale{ static_cast<ScaleKind>(1 + in.Take<std::uint8_t>() % 4),
     static_cast<std::uint8_t>(in.Take<std::uint8_t>() % 64),
     static_cast<std::int8_t>(in.Take<std::int8_t>() % 32) };
   return scale.IsValid(type) ? scale : Scale();

@@ -15,7 +15,7 @@ import xxhash
 import zstandard
 
 MAX_PALETTE = 1 << 16
-SCALES = SHIFT, DECIMAL, FIXED = 65537, 65538, 65539
+SCALES = SHIFT, DECIMAL, FIXED, BINARY = 65537, 65538, 65539, 65542
 COPY = 65540
 BOUND = 65541
 PALETTE = 0
@@ -102,10 +102,9 @@ class Bytes:
         if entries == COPY:
             return Record(kind=COPY, array=self.varint(), component=self.varint())
         if entries in SCALES:
-            scale = Record(kind=entries, digits=self.number("B"), first=None)
-            if entries == DECIMAL:
-                scale.first = self.number("b")
-            return scale
+            digits = None if entries == BINARY else self.number("B")
+            first = self.number("b") if entries in (DECIMAL, BINARY) else None
+            return Record(kind=entries, digits=digits, first=first)
         if entries == BOUND:
             return Record(kind=BOUND, bytes=self.take(26))
         require(entries <= MAX_PALETTE, "palette too large")

@@ -114,6 +114,27 @@ class Decimals:
         return min(1 + (level - self.first) * self.decade + m - self.least, self.zero)
 
 
+class Multiples:
+    """A scale of multiples of a power of two (5.2)."""
+
+    def __init__(self, kind, first):
+        require(kind in (FLOAT32, FLOAT64), "multiples of a power of two that are integers")
+        require(-126 <= first <= 103, "multiples of a power of two")
+        self.unit = math.ldexp(1.0, first)
+        self.zero = 1 << (24 if kind == FLOAT32 else 52)
+        self.last = 2 * self.zero
+        self.bits = (self.last + 1).bit_length()
+        self.plain_domain = Domain(kind)
+
+    def plain(self, key):
+        return self.plain_domain.from_number((key - self.zero) * self.unit)
+
+    def from_number(self, x):
+        w = abs(x) / self.unit + 0.5
+        r = self.zero if w >= self.zero else math.floor(w)
+        return self.zero - r if x < 0 else self.zero + r
+
+
 class Domain:
     """How the values of one component are mapped to keys (5.1, 5.2, 5.3)."""
 

@@ -19,9 +19,9 @@ import numpy as np
 from gtn_arrays import ChunkMesh, decode_list, decode_palette
 from gtn_boundary import open_boundary
 from gtn_bounds import read_bound
-from gtn_bytes import BOUND, PALETTE, SHIFT, Bytes, FormatError, require
+from gtn_bytes import BINARY, BOUND, PALETTE, SHIFT, Bytes, FormatError, require
 from gtn_coding import (
-    FLOAT32, FLOAT64, UINT32, UINT64, Decimals, Domain, Shift)
+    FLOAT32, FLOAT64, UINT32, UINT64, Decimals, Domain, Multiples, Shift)
 from gtn_container import Container
 from gtn_dependencies import decode_dependencies
 from gtn_quadratic import Lists, find_block_neighbors
@@ -262,6 +262,8 @@ class Decoder:
             return plain
         if palette.kind == SHIFT:
             return Domain(kind, None, (Shift, palette.digits))
+        if palette.kind == BINARY:
+            return Domain(kind, None, (Multiples, palette.first))
         if palette.kind != PALETTE:
             return Domain(kind, None, (Decimals, palette.digits, palette.first))
         keys = decode_palette(self._stream(palette.stream), plain, palette.entries)

@@ -190,4 +190,48 @@ TEST(Domain, OfShiftedFloat32IsTheSameWithoutDispatch)
     EXPECT_TRUE(digits == 0 || !shifted.IsValid(last + 1));
   }
 }
+
+TEST(Domain, OfMultiplesOfPowersOfTwoIsTheSameWithoutDispatch)
+{
+  EXPECT_FALSE(BinaryDomain::Matches(Domain(ScalarType::Float64)));
+  EXPECT_FALSE(
+    BinaryDomain::Matches(Domain(ScalarType::Float32, Scale{ ScaleKind::Fixed, 2, 0 })));
+  std::mt19937_64 random(8);
+  for (const auto type : { ScalarType::Float32, ScalarType::Float64 })
+  {
+    for (const int first : { -126, -40, -12, 0, 5, 103 })
+    {
+      const Domain domain(type, Scale{ ScaleKind::Binary, 0, static_cast<std::int8_t>(first) });
+      ASSERT_TRUE(BinaryDomain::Matches(domain));
+      const BinaryDomain binary(domain);
+      EXPECT_EQ(binary.GetBits(), domain.GetBits());
+      EXPECT_EQ(binary.GetType(), type);
+      const Key zero = domain.FromNumber(0);
+      Key before = zero;
+      for (int i = 0; i < 10000; ++i)
+      {
+        const Key key = i == 0 ? 0 : i == 1 ? 2 * zero : random() % (2 * zero + 1);
+        ASSERT_TRUE(binary.IsValid(key));
+        const double number = domain.ToNumber(key);
+        ASSERT_EQ(std::bit_cast<std::uint64_t>(binary.ToNumber(key)),
+          std::bit_cast<std::uint64_t>(number));
+        const auto residual = binary.Subtract(key, before);
+        ASSERT_EQ(residual, domain.Subtract(key, before));
+        ASSERT_EQ(binary.Add(before, residual), key);
+        ASSERT_EQ(binary.Add(key, residual), domain.Add(key, residual));
+        const double wide = std::bit_cast<double>(random());
+        const double half = number + std::ldexp(0.5, first);
+        for (const double predicted :
+          { number, half, -half, number * 1.01, number * 1.00000001, wide, -0.0, 0.0 })
+        {
+          ASSERT_EQ(binary.FromNumber(predicted), domain.FromNumber(predicted))
+            << predicted << " with " << first;
+        }
+        before = key;
+      }
+      EXPECT_FALSE(binary.IsValid(2 * zero + 1));
+      EXPECT_FALSE(domain.IsValid(2 * zero + 1));
+    }
+  }
+}
 }

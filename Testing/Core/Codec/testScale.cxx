@@ -123,7 +123,7 @@ TEST(Scale, KeepsWholeNumbersAndFixedPlaces)
   {
     values.push_back(i * 7001.0);
   }
-  EXPECT_EQ(ExpectKept(values), (Scale{ ScaleKind::Fixed, 0, 0 }));
+  EXPECT_EQ(ExpectKept(values), (Scale{ ScaleKind::Binary, 0, 0 }));
   for (auto& value : values)
   {
     value /= 1000;
@@ -150,6 +150,42 @@ TEST(Scale, KeepsBitsThatAreZero)
   }
   EXPECT_EQ(ExpectKept(eights), (Scale{ ScaleKind::Shift, 3, 0 }));
   EXPECT_EQ(ExpectKept(large), (Scale{ ScaleKind::Shift, 50, 0 }));
+}
+
+template <typename T>
+std::vector<T> MakeMultiples(int first, std::int64_t most, unsigned seed)
+{
+  std::mt19937_64 random(seed);
+  std::uniform_int_distribution<std::int64_t> multiple(-most, most);
+  std::vector<T> values{ 0, static_cast<T>(std::ldexp(1.0, first)) };
+  for (int i = 0; i < 4000; ++i)
+  {
+    const auto m = multiple(random);
+    values.push_back(m == 0 ? T{ 0 } : static_cast<T>(std::ldexp(static_cast<double>(m), first)));
+  }
+  return values;
+}
+
+TEST(Scale, KeepsMultiplesOfAPowerOfTwo)
+{
+  constexpr std::int64_t mostOfFloat = (1 << 24) - 1;
+  constexpr std::int64_t mostOfDouble = (std::int64_t{ 1 } << 52) - 1;
+  for (const int first : { -126, -100, -13, 0, 7, 103 })
+  {
+    const Scale scale{ ScaleKind::Binary, 0, static_cast<std::int8_t>(first) };
+    EXPECT_EQ(ExpectKept(MakeMultiples<float>(first, 1 << 14, 1)), scale);
+    EXPECT_EQ(ExpectKept(MakeMultiples<double>(first, 1 << 14, 2)), scale);
+    EXPECT_EQ(ExpectKept(MakeMultiples<float>(first, mostOfFloat, 3)), scale);
+    EXPECT_EQ(ExpectKept(MakeMultiples<double>(first, mostOfDouble, 4)), scale);
+  }
+  // One multiple too far away, or too low.
+  auto values = MakeMultiples<float>(-13, 1 << 14, 5);
+  values.push_back(2048); // 2^24 of them
+  EXPECT_NE(ExpectKept(values).Kind, ScaleKind::Binary);
+  values.back() = std::ldexp(1.0f, -23); // so that all would have ten bits more
+  EXPECT_EQ(ExpectKept(values), (Scale{ ScaleKind::Shift, 10, 0 }));
+  values.back() = -0.0f;
+  EXPECT_NE(ExpectKept(values).Kind, ScaleKind::Binary);
 }
 
 TEST(Scale, IsNotFoundWhereOneValueIsElsewhere)
@@ -181,7 +217,8 @@ TEST(Scale, IsNotFoundWhereOneValueIsElsewhere)
 TEST(Scale, OfPartsIsThatOfTheWhole)
 {
   for (const auto& values :
-    { MakeDecimals<double>(7, -4, 2, 3), MakeDecimals<double>(9, -1, 0, 4) })
+    { MakeDecimals<double>(7, -4, 2, 3), MakeDecimals<double>(9, -1, 0, 4),
+      MakeMultiples<double>(-13, 1 << 14, 5), MakeMultiples<double>(9, 1 << 20, 6) })
   {
     const auto whole = Find(values);
     DomainSurvey all(ScalarType::Float64);
@@ -214,6 +251,10 @@ TEST(Scale, OfTheStepBeforeIsKeptIfItHasAllValues)
   const auto six = MakeDecimals<double>(6, -3, 3, 7);
   EXPECT_EQ(find(six, scale), Find(six).GetScale());
   EXPECT_NE(find(six, scale), scale);
+  const Scale binary{ ScaleKind::Binary, 0, -13 };
+  EXPECT_EQ(find(MakeMultiples<double>(-11, 1 << 14, 8), binary), binary);
+  EXPECT_EQ(find(MakeMultiples<double>(-14, 1 << 14, 8), binary),
+    (Scale{ ScaleKind::Binary, 0, -14 }));
 }
 
 /** Numbers give the closest key, and keys survive. */
@@ -264,6 +305,8 @@ TEST(Scale, RoundsNumbersToTheClosestKey)
   ExpectNumbersToBeRounded(ScalarType::Float64, { ScaleKind::Decimal, 15, -8 });
   ExpectNumbersToBeRounded(ScalarType::Float64, { ScaleKind::Fixed, 2, 0 });
   ExpectNumbersToBeRounded(ScalarType::Float32, { ScaleKind::Fixed, 22, 0 });
+  ExpectNumbersToBeRounded(ScalarType::Float32, { ScaleKind::Binary, 0, -13 });
+  ExpectNumbersToBeRounded(ScalarType::Float64, { ScaleKind::Binary, 0, 3 });
   ExpectNumbersToBeRounded(ScalarType::Float32, { ScaleKind::Shift, 16, 0 });
   ExpectNumbersToBeRounded(ScalarType::Float64, { ScaleKind::Shift, 45, 0 });
   ExpectNumbersToBeRounded(ScalarType::Int32, { ScaleKind::Shift, 7, 0 });
@@ -288,6 +331,11 @@ TEST(Scale, HasLimits)
   EXPECT_TRUE(isValid(ScalarType::Float64, ScaleKind::Decimal, 2, 23));
   EXPECT_FALSE(isValid(ScalarType::Float64, ScaleKind::Decimal, 2, 24));
   EXPECT_FALSE(isValid(ScalarType::Float64, ScaleKind::Fixed, 23, 0));
+  EXPECT_TRUE(isValid(ScalarType::Float32, ScaleKind::Binary, 0, -126));
+  EXPECT_TRUE(isValid(ScalarType::Float32, ScaleKind::Binary, 0, 103));
+  EXPECT_FALSE(isValid(ScalarType::Float32, ScaleKind::Binary, 0, -127));
+  EXPECT_FALSE(isValid(ScalarType::Float64, ScaleKind::Binary, 0, 104));
+  EXPECT_FALSE(isValid(ScalarType::UInt64, ScaleKind::Binary, 0, 3));
 }
 
 TEST(Scale, RefusesValuesThatAreElsewhere)

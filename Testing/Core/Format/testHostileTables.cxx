@@ -225,6 +225,7 @@ TEST(HostileTables, ScalesMustBePossible)
   ExpectRefused(what, [&](FileImage& f) { setScale(f, ScaleKind::Decimal, 16, 0); });
   ExpectRefused(what, [&](FileImage& f) { setScale(f, ScaleKind::Decimal, 3, 100); });
   ExpectRefused(what, [&](FileImage& f) { setScale(f, ScaleKind::Fixed, 23, 0); });
+  ExpectRefused(what, [&](FileImage& f) { setScale(f, ScaleKind::Binary, 0, -127); });
   ExpectRefused(what,
     [&](FileImage& f) {
       f.Mesh.Palettes[2].Steps = { ScaleKind::Decimal, 0, 0 };
