@@ -69,9 +69,11 @@ public:
   bool IsPlain() const { return !this->Ranks && !this->GetScale(); }
 
   /** The key of a value. The palette or scale, if there is one, must contain it. */
-  Key Read(const void* value) const
+  Key Read(const void* value) const { return this->FromPlain(ReadPlain(this->Type, value)); }
+
+  /** The same for a plain key. */
+  Key FromPlain(Key plain) const
   {
-    const Key plain = ReadPlain(this->Type, value);
     if (!this->Ranks)
     {
       return this->GetScale() ? this->Scaled.FromPlain(plain) : plain;

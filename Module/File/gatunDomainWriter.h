@@ -9,9 +9,34 @@
 #include "gatunDomain.h"
 
 #include <cstdint>
+#include <cstring>
+#include <type_traits>
 
 namespace gatun
 {
+/** WithWriter for the scale Binary, which has numbers of its type only. */
+template <typename Use>
+void WithWriterOf(const BinaryDomain& domain, Use&& use)
+{
+  const auto store = [&domain, &use]<typename T>(std::type_identity<T>)
+  {
+    use(
+      [&domain](Key key, std::uint8_t* to)
+      {
+        const auto value = static_cast<T>(domain.ToNumber(key));
+        std::memcpy(to, &value, sizeof(T));
+      });
+  };
+  if (domain.GetType() == ScalarType::Float32)
+  {
+    store(std::type_identity<float>());
+  }
+  else
+  {
+    store(std::type_identity<double>());
+  }
+}
+
 /** Calls use(write), where write(key, to) stores the value of a key. The type is dispatched once.
  */
 template <typename Use>
@@ -23,6 +48,10 @@ void WithWriter(const Domain& domain, Use&& use)
     const auto& palette = *domain.GetPalette();
     use(
       [type, &palette](Key key, std::uint8_t* to) { Domain::WritePlain(type, palette[key], to); });
+  }
+  else if (BinaryDomain::Matches(domain))
+  {
+    WithWriterOf(BinaryDomain(domain), use);
   }
   else if (domain.GetScale())
   {

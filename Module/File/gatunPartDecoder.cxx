@@ -381,29 +381,18 @@ std::vector<ComponentKeys> PartDecoder::MakeKeys(
 //------------------------------------------------------------------------------
 namespace
 {
-/** The key of a value in another domain of the same type, which must contain it. */
+/** The key of a value in another domain of the same type, plain or with a scale, which must contain
+ * it. */
 Key Convert(Key key, const Domain& from, const Domain& to)
 {
-  if (to.IsPlain())
-  {
-    return from.ToPlain(key);
-  }
-  std::array<std::uint8_t, sizeof(double)> value{};
-  from.Write(key, value.data());
-  Key converted = 0;
   try
   {
-    converted = to.Read(value.data());
+    return to.FromPlain(from.ToPlain(key));
   }
   catch (const Error&)
   {
-    converted = ~Key{ 0 };
-  }
-  if (!to.IsValid(converted) || to.ToPlain(converted) != from.ToPlain(key))
-  {
     ThrowCorrupt("coordinates of another time step are not on its scale");
   }
-  return converted;
 }
 }
 
@@ -434,9 +423,11 @@ std::vector<ComponentKeys> PartDecoder::MakePointKeys(std::size_t step, std::siz
       continue;
     }
     to.resize(count);
+    const bool isSame = !from.GetPalette() && from.GetScale() == domains[c].GetScale();
     for (std::size_t i = 0; i < count; ++i)
     {
-      to[i] = Convert(others ? (*before)[c][i] : mesh(i)[c], from, domains[c]);
+      const Key key = others ? (*before)[c][i] : mesh(i)[c];
+      to[i] = isSame ? key : Convert(key, from, domains[c]);
     }
   }
   return keys;
