@@ -39,8 +39,8 @@ struct Scale
   static constexpr int MaxPower = 22;
   static constexpr int MaxDigits = 15; // of Decimal
 
-  /** Of Binary: values are less than 2^(First + this). float32 has all such multiples; of 52 digits,
-   * 0.5 can be added exactly. */
+  /** Of Binary: values are less than 2^(First + this). float32 has all such multiples; of 52
+   * digits, 0.5 can be added exactly. */
   static constexpr int GetBinaryDigits(ScalarType type)
   {
     return type == ScalarType::Float32 ? 24 : 52;

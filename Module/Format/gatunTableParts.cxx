@@ -75,8 +75,7 @@ bool IsScaleMark(std::uint64_t mark)
 Scale GetScale(ByteReader& in, std::uint64_t mark, ScalarType type)
 {
   Scale scale;
-  scale.Kind =
-    mark == BinaryMark ? ScaleKind::Binary : static_cast<ScaleKind>(mark - ScaleMark);
+  scale.Kind = mark == BinaryMark ? ScaleKind::Binary : static_cast<ScaleKind>(mark - ScaleMark);
   if (scale.Kind != ScaleKind::Binary)
   {
     scale.Digits = in.Get<std::uint8_t>();

@@ -194,8 +194,7 @@ TEST(Domain, OfShiftedFloat32IsTheSameWithoutDispatch)
 TEST(Domain, OfMultiplesOfPowersOfTwoIsTheSameWithoutDispatch)
 {
   EXPECT_FALSE(BinaryDomain::Matches(Domain(ScalarType::Float64)));
-  EXPECT_FALSE(
-    BinaryDomain::Matches(Domain(ScalarType::Float32, Scale{ ScaleKind::Fixed, 2, 0 })));
+  EXPECT_FALSE(BinaryDomain::Matches(Domain(ScalarType::Float32, Scale{ ScaleKind::Fixed, 2, 0 })));
   std::mt19937_64 random(8);
   for (const auto type : { ScalarType::Float32, ScalarType::Float64 })
   {
@@ -213,8 +212,8 @@ TEST(Domain, OfMultiplesOfPowersOfTwoIsTheSameWithoutDispatch)
         const Key key = i == 0 ? 0 : i == 1 ? 2 * zero : random() % (2 * zero + 1);
         ASSERT_TRUE(binary.IsValid(key));
         const double number = domain.ToNumber(key);
-        ASSERT_EQ(std::bit_cast<std::uint64_t>(binary.ToNumber(key)),
-          std::bit_cast<std::uint64_t>(number));
+        ASSERT_EQ(
+          std::bit_cast<std::uint64_t>(binary.ToNumber(key)), std::bit_cast<std::uint64_t>(number));
         const auto residual = binary.Subtract(key, before);
         ASSERT_EQ(residual, domain.Subtract(key, before));
         ASSERT_EQ(binary.Add(before, residual), key);

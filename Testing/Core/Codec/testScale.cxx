@@ -216,9 +216,8 @@ TEST(Scale, IsNotFoundWhereOneValueIsElsewhere)
 
 TEST(Scale, OfPartsIsThatOfTheWhole)
 {
-  for (const auto& values :
-    { MakeDecimals<double>(7, -4, 2, 3), MakeDecimals<double>(9, -1, 0, 4),
-      MakeMultiples<double>(-13, 1 << 14, 5), MakeMultiples<double>(9, 1 << 20, 6) })
+  for (const auto& values : { MakeDecimals<double>(7, -4, 2, 3), MakeDecimals<double>(9, -1, 0, 4),
+         MakeMultiples<double>(-13, 1 << 14, 5), MakeMultiples<double>(9, 1 << 20, 6) })
   {
     const auto whole = Find(values);
     DomainSurvey all(ScalarType::Float64);
@@ -253,8 +252,8 @@ TEST(Scale, OfTheStepBeforeIsKeptIfItHasAllValues)
   EXPECT_NE(find(six, scale), scale);
   const Scale binary{ ScaleKind::Binary, 0, -13 };
   EXPECT_EQ(find(MakeMultiples<double>(-11, 1 << 14, 8), binary), binary);
-  EXPECT_EQ(find(MakeMultiples<double>(-14, 1 << 14, 8), binary),
-    (Scale{ ScaleKind::Binary, 0, -14 }));
+  EXPECT_EQ(
+    find(MakeMultiples<double>(-14, 1 << 14, 8), binary), (Scale{ ScaleKind::Binary, 0, -14 }));
 }
 
 /** Numbers give the closest key, and keys survive. */
