@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <random>
 #include <vector>
@@ -120,6 +121,24 @@ TEST(Domain, RanksInAPalette)
   EXPECT_EQ(domain.FromNumber(-3), 0u);
 }
 
+/** Keys, numbers and residuals of a special case of a domain are those of the domain. */
+template <typename Special>
+void ExpectSame(const Special& special, const Domain& domain, Key key, Key before,
+  std::initializer_list<double> numbers)
+{
+  ASSERT_TRUE(special.IsValid(key));
+  ASSERT_EQ(std::bit_cast<std::uint64_t>(special.ToNumber(key)),
+    std::bit_cast<std::uint64_t>(domain.ToNumber(key)));
+  const auto residual = special.Subtract(key, before);
+  ASSERT_EQ(residual, domain.Subtract(key, before));
+  ASSERT_EQ(special.Add(before, residual), key);
+  ASSERT_EQ(special.Add(key, residual), domain.Add(key, residual));
+  for (const double number : numbers)
+  {
+    ASSERT_EQ(special.FromNumber(number), domain.FromNumber(number)) << number;
+  }
+}
+
 TEST(Domain, OfFloat32IsTheSameWithoutDispatch)
 {
   const Domain domain(ScalarType::Float32);
@@ -135,17 +154,9 @@ TEST(Domain, OfFloat32IsTheSameWithoutDispatch)
     // All exponents, NaN and infinity among them.
     const Key key = i < 1000 ? static_cast<Key>(i) << 22 : random() & 0xffffffffu;
     const double number = domain.ToNumber(key);
-    ASSERT_EQ(std::bit_cast<std::uint64_t>(Float32Domain::ToNumber(key)),
-      std::bit_cast<std::uint64_t>(number));
-    const auto residual = Float32Domain::Subtract(key, before);
-    ASSERT_EQ(residual, domain.Subtract(key, before));
-    ASSERT_EQ(Float32Domain::Add(before, residual), key);
-    ASSERT_EQ(Float32Domain::Add(key, residual), domain.Add(key, residual));
     const double wide = std::bit_cast<double>(random());
-    for (const double predicted : { number, number * 1.00000001, number * number, wide, -0.0 })
-    {
-      ASSERT_EQ(Float32Domain::FromNumber(predicted), domain.FromNumber(predicted)) << predicted;
-    }
+    ASSERT_NO_FATAL_FAILURE(ExpectSame(Float32Domain(), domain, key, before,
+      { number, number * 1.00000001, number * number, wide, -0.0 }));
     before = key;
   }
 }
@@ -171,20 +182,11 @@ TEST(Domain, OfShiftedFloat32IsTheSameWithoutDispatch)
     for (int i = 0; i < 10000; ++i)
     {
       const Key key = i == 0 ? 0 : i == 1 ? last : random() & last;
-      ASSERT_TRUE(shifted.IsValid(key));
       const double number = domain.ToNumber(key);
-      ASSERT_EQ(
-        std::bit_cast<std::uint64_t>(shifted.ToNumber(key)), std::bit_cast<std::uint64_t>(number));
-      const auto residual = shifted.Subtract(key, before);
-      ASSERT_EQ(residual, domain.Subtract(key, before));
-      ASSERT_EQ(shifted.Add(before, residual), key);
-      ASSERT_EQ(shifted.Add(key, residual), domain.Add(key, residual));
       const double wide = std::bit_cast<double>(random());
-      for (const double predicted : { number, number * 1.01, number * 1.00000001, wide, -0.0, 0.0 })
-      {
-        ASSERT_EQ(shifted.FromNumber(predicted), domain.FromNumber(predicted))
-          << predicted << " with " << int{ digits };
-      }
+      ASSERT_NO_FATAL_FAILURE(ExpectSame(shifted, domain, key, before,
+        { number, number * 1.01, number * 1.00000001, wide, -0.0, 0.0 }))
+        << "with " << int{ digits };
       before = key;
     }
     EXPECT_TRUE(digits == 0 || !shifted.IsValid(last + 1));
@@ -210,22 +212,12 @@ TEST(Domain, OfMultiplesOfPowersOfTwoIsTheSameWithoutDispatch)
       for (int i = 0; i < 10000; ++i)
       {
         const Key key = i == 0 ? 0 : i == 1 ? 2 * zero : random() % (2 * zero + 1);
-        ASSERT_TRUE(binary.IsValid(key));
         const double number = domain.ToNumber(key);
-        ASSERT_EQ(
-          std::bit_cast<std::uint64_t>(binary.ToNumber(key)), std::bit_cast<std::uint64_t>(number));
-        const auto residual = binary.Subtract(key, before);
-        ASSERT_EQ(residual, domain.Subtract(key, before));
-        ASSERT_EQ(binary.Add(before, residual), key);
-        ASSERT_EQ(binary.Add(key, residual), domain.Add(key, residual));
         const double wide = std::bit_cast<double>(random());
         const double half = number + std::ldexp(0.5, first);
-        for (const double predicted :
-          { number, half, -half, number * 1.01, number * 1.00000001, wide, -0.0, 0.0 })
-        {
-          ASSERT_EQ(binary.FromNumber(predicted), domain.FromNumber(predicted))
-            << predicted << " with " << first;
-        }
+        ASSERT_NO_FATAL_FAILURE(ExpectSame(binary, domain, key, before,
+          { number, half, -half, number * 1.01, number * 1.00000001, wide, -0.0, 0.0 }))
+          << "with " << first;
         before = key;
       }
       EXPECT_FALSE(binary.IsValid(2 * zero + 1));
