@@ -9,6 +9,7 @@
 #include "gatunErrorBound.h"
 #include "gatunFileWriter.h"
 #include "gatunParallel.h"
+#include "gatunPointRounding.h"
 #include "vtkGatunReader.h"
 
 #include "vtkDataArray.h"
@@ -98,27 +99,14 @@ void MovePoints(vtkPoints* start, const double* bounds, double time, vtkPoints* 
   }
 }
 
-/** Rounds points to multiples of a power of two, with an error of at most a part of the longest
- * side of the bounds. */
-void RoundTo(double error, const double* bounds, vtkPoints* points)
+/** Rounds points, which become those of the grid, as vtkGatunWriter does. */
+void RoundTo(double error, vtkUnstructuredGrid* grid, vtkPoints* points)
 {
-  if (!(error > 0))
-  {
-    return;
-  }
-  const double size =
-    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
-  const double step = std::ldexp(1.0, std::ilogb(error * size) + 1);
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    points->GetPoint(i, p);
-    for (double& x : p)
-    {
-      x = step * std::round(x / step);
-    }
-    points->SetPoint(i, p);
-  }
+  gatun::PointRounding rounding;
+  rounding.Error = error;
+  double largest = 0;
+  grid->GetPoints()->DeepCopy(points);
+  points->DeepCopy(gatun::RoundPoints(grid, rounding, largest)->GetPoints());
 }
 
 /** Four ids a tetrahedron, as vtkIdType whatever the grid has. */
@@ -174,10 +162,12 @@ Series WriteSeries(const Options& options)
   start->GetBounds(bounds);
   vtkNew<vtkPoints> moved;
   moved->DeepCopy(start);
+  const double error = options.Error *
+    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
   const auto moveTo = [&](double time)
   {
     MovePoints(start, bounds, time, moved);
-    RoundTo(options.Error, bounds, moved);
+    RoundTo(error, grid, moved);
   };
   if (options.Moving)
   {
