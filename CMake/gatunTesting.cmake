@@ -25,6 +25,14 @@ set(GATUN_TEST_DATA "${PROJECT_SOURCE_DIR}/Testing/Data")
 set(GATUN_TEST_TEMP "${PROJECT_BINARY_DIR}/Testing/Temporary/gatun")
 file(MAKE_DIRECTORY "${GATUN_TEST_TEMP}")
 
+# Open MPI 4 and 5 refuse root, and more processes than processors, unless told otherwise.
+set(gatun_mpi_environment
+  "OMPI_ALLOW_RUN_AS_ROOT=1"
+  "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"
+  "OMPI_MCA_btl_vader_single_copy_mechanism=none"
+  "OMPI_MCA_rmaps_base_oversubscribe=1"
+  "PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe")
+
 set(gatun_test_labels unit image cli paraview fuzz package data long)
 
 # A test fails if it prints one of these, unless it is added with EXPECT_ERRORS: messages of VTK, leaked
@@ -237,14 +245,7 @@ function (gatun_add_python_test file)
     if (NOT MPIEXEC_EXECUTABLE)
       return ()
     endif ()
-    execute_process(COMMAND "${MPIEXEC_EXECUTABLE}" --version
-      OUTPUT_VARIABLE version
-      ERROR_QUIET)
-    set(launch "${MPIEXEC_EXECUTABLE}")
-    if (version MATCHES "Open MPI|OpenRTE")
-      list(APPEND launch --oversubscribe)
-    endif ()
-    list(APPEND launch -np "${arg_RANKS}")
+    set(launch "${MPIEXEC_EXECUTABLE}" -np "${arg_RANKS}")
     string(APPEND test "-np${arg_RANKS}")
     list(APPEND rest PROCESSORS "${arg_RANKS}")
   endif ()
@@ -256,9 +257,7 @@ function (gatun_add_python_test file)
       "PYTHONPATH=${gatun_python_path}:${CMAKE_CURRENT_SOURCE_DIR}:${PROJECT_SOURCE_DIR}/Testing/IO:${PROJECT_SOURCE_DIR}/Testing/Filters"
       "PYTHONDONTWRITEBYTECODE=1"
       "GATUN_GTN=$<TARGET_FILE:gtn>"
-      "OMPI_ALLOW_RUN_AS_ROOT=1"
-      "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"
-      "OMPI_MCA_btl_vader_single_copy_mechanism=none"
+      ${gatun_mpi_environment}
     ${rest})
 endfunction ()
 
@@ -322,7 +321,7 @@ function (gatun_add_pvbatch_test file)
     set(launch)
     if (ranks GREATER 1)
       string(APPEND name "-np${ranks}")
-      set(launch ${gatun_mpiexec} -np ${ranks})
+      set(launch "${MPIEXEC_EXECUTABLE}" -np ${ranks})
     endif ()
     gatun_add_test(
       NAME        "${name}"

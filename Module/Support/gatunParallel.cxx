@@ -14,6 +14,7 @@
 #include <cstring>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <thread>
 
 namespace gatun
@@ -22,6 +23,26 @@ namespace
 {
 // Whether this thread executes a body of ParallelFor.
 thread_local bool IsWithinBody = false;
+
+// Whether this thread has run a loop on several threads.
+thread_local bool HasThreads = false;
+
+/**
+ * Throws std::bad_alloc if there is no memory for the first parallel loop of this thread.
+ * oneTBB 2022 waits forever if memory runs out while it starts: it then asks whether to throw, with
+ * the lock of that setting held. It and its allocator need less than 8 MiB.
+ */
+void CheckMemoryForThreads()
+{
+  if (!HasThreads)
+  {
+    constexpr std::size_t size = std::size_t{ 8 } << 20;
+    auto* memory = static_cast<volatile char*>(::operator new(size));
+    memory[0] = 0; // or else a compiler may leave out both calls
+    ::operator delete(const_cast<char*>(memory));
+    HasThreads = true;
+  }
+}
 
 /** Distributes bodies one by one, so that threads stay busy if the bodies are uneven. */
 class Work
@@ -39,6 +60,9 @@ public:
   /** Runs bodies until there are none left or one has failed. */
   void Take()
   {
+    // Allocates what this thread needs to throw. glibc aborts if it has to do that, in a program
+    // that loads libraries at run time, when a body throws because memory is missing.
+    static_cast<void>(std::current_exception());
     const bool reports = this->Progress && std::this_thread::get_id() == this->Caller;
     for (;;)
     {
@@ -154,6 +178,7 @@ void ParallelFor(std::size_t count, const std::function<void(std::size_t)>& body
   // All threads are busy within a body, and not every version of VTK supports nesting.
   if (count > 1 && !IsWithinBody)
   {
+    CheckMemoryForThreads();
     WithThreads(
       [&]
       {

@@ -33,7 +33,7 @@ def environment():
     for name, target in (("gtn", PROGRAM), ("python3", sys.executable)):
         os.symlink(target, os.path.join("bin", name))
     path = os.path.abspath("bin") + ":" + os.environ["PATH"]
-    return dict(os.environ, PATH=path, OMPI_MCA_rmaps_base_oversubscribe="1", PYTHONDONTWRITEBYTECODE="1")
+    return dict(os.environ, PATH=path, PYTHONDONTWRITEBYTECODE="1")
 
 
 def run_page(page, samples, around):

@@ -79,7 +79,7 @@ for dtype in (np.float32, np.float64):
     reader.UpdateInformation()
     assert np.array_equal(reader.GetOutputInformation(0).Get(pipeline.TIME_STEPS()), TIMES)
     kept = []
-    for step in [*range(STEPS), *rng.permutation(STEPS), 17, 16, 0, STEPS - 1]:
+    for step in [*range(STEPS), *rng.permutation(STEPS).tolist(), 17, 16, 0, STEPS - 1]:
         reader.UpdateTimeStep(TIMES[step])
         output = reader.GetOutput()
         assert same_bits(raw(output), places(step, dtype)), (dtype, step)

@@ -62,7 +62,7 @@ def wait(reader):
 reader = open_reader()
 assert not vtkGatunReader().GetPrefetchTimeSteps()
 rng = np.random.default_rng(1)
-for index in [*range(12), *range(11, -1, -1), *rng.permutation(12)]:
+for index in [*range(12), *range(11, -1, -1), *rng.permutation(12).tolist()]:
     gm.assert_equal(step(index), read(reader, index))
 
 

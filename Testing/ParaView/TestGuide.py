@@ -32,7 +32,7 @@ def main(*programs):
         script = folder / "bin" / name
         script.write_text(f'#!/bin/sh\nexec "{program}" "$@"\n', encoding="ascii")
         script.chmod(0o755)
-    around = dict(os.environ, PATH=f"{folder / 'bin'}:{os.environ['PATH']}", OMPI_MCA_rmaps_base_oversubscribe="1")
+    around = dict(os.environ, PATH=f"{folder / 'bin'}:{os.environ['PATH']}")
     (folder / "make.py").write_text(MAKE, encoding="ascii")
     samples = str(guide.ROOT / guide.SAMPLES)
     subprocess.run(["pvbatch", samples, str(folder), "6"], env=around, check=True)

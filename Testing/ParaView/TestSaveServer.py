@@ -22,9 +22,8 @@ with socket.socket() as probe:
 path = sample.temporary("server.gtn")
 # pvpython is an MPI program by itself; the server must not take it for its parent.
 environment = {name: value for name, value in os.environ.items()
-               if not name.startswith(("PMIX_", "ORTE_", "OMPI_", "OPAL_"))
-               or name.startswith("OMPI_ALLOW")}
-environment["OMPI_MCA_rmaps_base_oversubscribe"] = "1"
+               if not name.startswith(("PMIX_", "PRTE_", "ORTE_", "OMPI_", "OPAL_"))
+               or name.startswith(("OMPI_ALLOW", "OMPI_MCA_rmaps", "PRTE_MCA_rmaps"))}
 command = [sys.argv[2], "-np", "2", sys.argv[1], "--server-port=%d" % port]
 # It reports that it is ended by a signal, which is no error here.
 with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
