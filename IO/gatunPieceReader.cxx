@@ -145,12 +145,12 @@ PieceReader::OriginalCells MakeOriginalCells(const PieceDecoder& decoder, PieceT
   target.Types = cells.Types->GetPointer(0);
   if (decoder.GetFacesSize() > 0)
   {
-    cells.FaceLocations = vtkSmartPointer<vtkIdTypeArray>::New();
-    cells.FaceLocations->SetNumberOfValues(count);
-    target.FaceLocations = PointerTo(cells.FaceLocations);
-    cells.Faces = vtkSmartPointer<vtkIdTypeArray>::New();
-    cells.Faces->SetNumberOfValues(static_cast<vtkIdType>(decoder.GetFacesSize()));
-    target.Faces = PointerTo(cells.Faces);
+    cells.Faces.Locations = vtkSmartPointer<vtkIdTypeArray>::New();
+    cells.Faces.Locations->SetNumberOfValues(count);
+    target.FaceLocations = PointerTo(cells.Faces.Locations);
+    cells.Faces.Values = vtkSmartPointer<vtkIdTypeArray>::New();
+    cells.Faces.Values->SetNumberOfValues(static_cast<vtkIdType>(decoder.GetFacesSize()));
+    target.Faces = PointerTo(cells.Faces.Values);
   }
   return cells;
 }
@@ -429,8 +429,7 @@ void PieceReader::FinishMesh()
 {
   if (this->Original.Types)
   {
-    this->Mesh->SetCells(
-      this->Original.Types, this->Cells, this->Original.FaceLocations, this->Original.Faces);
+    SetCells(this->Mesh, this->Original.Types, this->Cells, this->Original.Faces);
   }
   else
   {

@@ -4,6 +4,7 @@
 #ifndef gatunPieceReader_h
 #define gatunPieceReader_h
 
+#include "gatunFaceStream.h"
 #include "gatunPieceDecoder.h"
 #include "gatunPublishedFile.h"
 #include "vtkGatunIOModule.h" // For export macro
@@ -58,8 +59,7 @@ public:
   struct OriginalCells
   {
     vtkSmartPointer<vtkUnsignedCharArray> Types;
-    vtkSmartPointer<vtkIdTypeArray> FaceLocations; // null without faces
-    vtkSmartPointer<vtkIdTypeArray> Faces;
+    FaceStream Faces;
   };
 
   PieceReader();

@@ -5,6 +5,7 @@
 
 #include "gatunArrayBridge.h"
 #include "gatunError.h"
+#include "gatunFaceStream.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
@@ -101,15 +102,14 @@ void BridgedMesh::SetOthers(vtkUnstructuredGrid* grid)
   this->Mesh.Types = grid->GetCellTypesArray()->GetPointer(0);
   this->Offsets = grid->GetCells()->GetOffsetsArray();
   this->Mesh.Offsets = this->Offsets->GetVoidPointer(0);
-  vtkIdTypeArray* const locations = grid->GetFaceLocations();
-  vtkIdTypeArray* const faces = grid->GetFaces();
-  if (locations && faces && locations->GetNumberOfValues() >= grid->GetNumberOfCells())
+  const FaceStream faces = GetFaceStream(grid);
+  if (faces.Values && faces.Locations->GetNumberOfValues() >= grid->GetNumberOfCells())
   {
-    this->FaceLocations = locations;
-    this->Faces = faces;
-    this->Mesh.FaceLocations = bytesOf(locations);
-    this->Mesh.Faces = bytesOf(faces);
-    this->Mesh.FacesSize = static_cast<std::uint64_t>(faces->GetNumberOfValues());
+    this->FaceLocations = faces.Locations;
+    this->Faces = faces.Values;
+    this->Mesh.FaceLocations = bytesOf(faces.Locations);
+    this->Mesh.Faces = bytesOf(faces.Values);
+    this->Mesh.FacesSize = static_cast<std::uint64_t>(faces.Values->GetNumberOfValues());
   }
 }
 

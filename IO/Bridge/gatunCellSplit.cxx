@@ -5,6 +5,7 @@
 
 #include "gatunArrayBridge.h"
 #include "gatunError.h"
+#include "gatunFaceStream.h"
 #include "gatunParallel.h"
 #include "gatunPointSet.h"
 
@@ -33,8 +34,10 @@ template <typename T>
 class Splitter
 {
 public:
-  Splitter(vtkUnstructuredGrid* grid, const PointOrder<T>& order, SplitCells& result)
+  Splitter(vtkUnstructuredGrid* grid, const FaceStream& polyhedra, const PointOrder<T>& order,
+    SplitCells& result)
     : Grid(grid)
+    , Polyhedra(polyhedra)
     , Order(order)
     , Result(result)
     , Iterator(vtk::TakeSmartPointer(grid->GetCells()->NewIterator()))
@@ -77,9 +80,9 @@ private:
 
   void ReadPolyhedron(vtkIdType cell)
   {
-    vtkIdTypeArray* const stream = this->Grid->GetFaces();
-    vtkIdTypeArray* const places = this->Grid->GetFaceLocations();
-    if (!stream || !places || places->GetNumberOfValues() <= cell)
+    vtkIdTypeArray* const stream = this->Polyhedra.Values;
+    vtkIdTypeArray* const places = this->Polyhedra.Locations;
+    if (!stream || places->GetNumberOfValues() <= cell)
     {
       ThrowPolyhedron(cell, "has no faces");
     }
@@ -117,6 +120,7 @@ private:
   }
 
   vtkUnstructuredGrid* const Grid;
+  const FaceStream& Polyhedra;
   const PointOrder<T>& Order;
   SplitCells& Result;
   vtkSmartPointer<vtkCellArrayIterator> Iterator;
@@ -129,11 +133,12 @@ SplitCells SplitBy(
 {
   constexpr std::size_t length = std::size_t{ 1 } << 14;
   const PointOrder<T> order(coordinates);
+  const FaceStream polyhedra = GetFaceStream(grid);
   std::vector<SplitCells> parts((cells.size() + length - 1) / length);
   ParallelFor(parts.size(),
     [&](std::size_t part)
     {
-      Splitter<T> splitter(grid, order, parts[part]);
+      Splitter<T> splitter(grid, polyhedra, order, parts[part]);
       const std::size_t first = part * length;
       for (const vtkIdType cell : cells.subspan(first, std::min(length, cells.size() - first)))
       {

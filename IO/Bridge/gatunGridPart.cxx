@@ -5,6 +5,7 @@
 
 #include "gatunArrayBridge.h"
 #include "gatunError.h"
+#include "gatunFaceStream.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -28,30 +29,30 @@ class FaceCopier
 {
 public:
   FaceCopier(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& newIds)
-    : From(grid->GetFaces())
-    , Starts(grid->GetFaceLocations())
+    : From(GetFaceStream(grid))
     , NewIds(newIds)
   {
+    this->To = { vtkSmartPointer<vtkIdTypeArray>::New(), vtkSmartPointer<vtkIdTypeArray>::New() };
   }
 
   void AddPolyhedron(vtkIdType cell)
   {
-    this->Locations->InsertNextValue(this->Faces->GetNumberOfValues());
+    this->To.Locations->InsertNextValue(this->To.Values->GetNumberOfValues());
     this->Cell = cell;
-    this->At = this->From && this->Starts && cell < this->Starts->GetNumberOfValues()
-      ? this->Starts->GetValue(cell)
+    this->At = this->From.Locations && cell < this->From.Locations->GetNumberOfValues()
+      ? this->From.Locations->GetValue(cell)
       : -1;
     if (this->At < 0)
     {
-      this->Faces->InsertNextValue(0);
+      this->To.Values->InsertNextValue(0);
       return;
     }
     const vtkIdType faces = this->TakeCount();
-    this->Faces->InsertNextValue(faces);
+    this->To.Values->InsertNextValue(faces);
     for (vtkIdType face = 0; face < faces; ++face)
     {
       const vtkIdType size = this->TakeCount();
-      this->Faces->InsertNextValue(size);
+      this->To.Values->InsertNextValue(size);
       for (vtkIdType i = 0; i < size; ++i)
       {
         this->AddPoint(this->Take());
@@ -59,19 +60,18 @@ public:
     }
   }
 
-  void AddOther() { this->Locations->InsertNextValue(-1); }
+  void AddOther() { this->To.Locations->InsertNextValue(-1); }
 
-  vtkNew<vtkIdTypeArray> Locations;
-  vtkNew<vtkIdTypeArray> Faces;
+  const FaceStream& Get() const { return this->To; }
 
 private:
   vtkIdType Take()
   {
-    if (this->At >= this->From->GetNumberOfValues())
+    if (this->At >= this->From.Values->GetNumberOfValues())
     {
       ThrowInvalid("the faces of cell " + std::to_string(this->Cell) + " are incomplete");
     }
-    return this->From->GetValue(this->At++);
+    return this->From.Values->GetValue(this->At++);
   }
 
   vtkIdType TakeCount()
@@ -94,11 +94,11 @@ private:
       ThrowInvalid("a face of cell " + std::to_string(this->Cell) + " names point " +
         std::to_string(point) + ", which the cell does not have");
     }
-    this->Faces->InsertNextValue(id);
+    this->To.Values->InsertNextValue(id);
   }
 
-  vtkIdTypeArray* const From;
-  vtkIdTypeArray* const Starts;
+  const FaceStream From;
+  FaceStream To;
   const std::vector<vtkIdType>& NewIds;
   vtkIdType Cell = 0;
   vtkIdType At = 0;
@@ -149,14 +149,8 @@ vtkSmartPointer<vtkUnstructuredGrid> ExtractPart(
       }
     }
   }
-  if (faces.Faces->GetNumberOfValues() > 0)
-  {
-    extracted->SetCells(types, cells, faces.Locations, faces.Faces);
-  }
-  else
-  {
-    extracted->SetCells(types, cells);
-  }
+  const bool hasFaces = faces.Get().Values->GetNumberOfValues() > 0;
+  SetCells(extracted, types, cells, hasFaces ? faces.Get() : FaceStream{});
   return extracted;
 }
 }

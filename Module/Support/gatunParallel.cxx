@@ -9,6 +9,7 @@
 
 #include <vtkSMPTools.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <cstring>
@@ -16,6 +17,7 @@
 #include <mutex>
 #include <new>
 #include <thread>
+#include <vector>
 
 namespace gatun
 {
@@ -118,6 +120,9 @@ private:
   std::exception_ptr Failure;
 };
 
+// What SetNumberOfThreads was told, where vtkSMPTools has one thread; 0 for the default.
+std::atomic<int> OwnThreads{ 0 };
+
 /** Whether vtkSMPTools has one thread although the user did not choose that. */
 bool IsSequentialByDefault()
 {
@@ -125,25 +130,69 @@ bool IsSequentialByDefault()
     !std::getenv("VTK_SMP_BACKEND_IN_USE");
 }
 
-template <typename Run>
-void WithThreads(Run&& run)
+/** As the backend STDThread of VTK finds it. */
+int GetNumberOfOwnThreads()
 {
-  if (IsSequentialByDefault())
+  if (const int chosen = OwnThreads; chosen > 0)
   {
-    vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false }, run);
+    return chosen;
   }
-  else
+  if (const char* const limit = std::getenv("VTK_SMP_MAX_THREADS"))
   {
-    run();
+    return std::atoi(limit);
   }
+  return static_cast<int>(std::thread::hardware_concurrency());
+}
+
+/**
+ * Calls take on so many threads, one of which is the caller's. vtkSMPTools could use another
+ * backend for a while, but all threads of the process would, and a loop of VTK that another one is
+ * in at that time would crash.
+ */
+template <typename Take>
+void RunOnOwnThreads(std::size_t count, const Take& take)
+{
+  std::vector<std::thread> threads;
+  threads.reserve(count);
+  try
+  {
+    while (threads.size() + 1 < count)
+    {
+      threads.emplace_back(take);
+    }
+  }
+  catch (const std::exception&)
+  {
+    // The threads that there are do the work.
+  }
+  take();
+  for (auto& thread : threads)
+  {
+    thread.join();
+  }
+}
+
+/** Calls take on so many threads of vtkSMPTools. */
+template <typename Take>
+void RunOnThreads(std::size_t count, const Take& take)
+{
+  CheckMemoryForThreads();
+  auto takeSome = [&take](vtkIdType begin, vtkIdType end)
+  {
+    for (auto i = begin; i < end; ++i)
+    {
+      take();
+    }
+  };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1, takeSome);
 }
 }
 
 //------------------------------------------------------------------------------
 int GetNumberOfThreads()
 {
-  int threads = 1;
-  WithThreads([&] { threads = vtkSMPTools::GetEstimatedNumberOfThreads(); });
+  const int threads =
+    IsSequentialByDefault() ? GetNumberOfOwnThreads() : vtkSMPTools::GetEstimatedNumberOfThreads();
   return threads > 1 ? threads : 1;
 }
 
@@ -151,12 +200,15 @@ int GetNumberOfThreads()
 void SetNumberOfThreads(int count)
 {
   vtkSMPTools::Initialize(count);
+  OwnThreads = count;
 }
 
 //------------------------------------------------------------------------------
 void WithNumberOfThreads(int count, const std::function<void()>& work)
 {
+  const int before = OwnThreads.exchange(count);
   vtkSMPTools::LocalScope(vtkSMPTools::Config(count), [&work] { work(); });
+  OwnThreads = before;
 }
 
 //------------------------------------------------------------------------------
@@ -178,22 +230,16 @@ void ParallelFor(std::size_t count, const std::function<void(std::size_t)>& body
   // All threads are busy within a body, and not every version of VTK supports nesting.
   if (count > 1 && !IsWithinBody)
   {
-    CheckMemoryForThreads();
-    WithThreads(
-      [&]
-      {
-        const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
-        const auto takers = static_cast<vtkIdType>(
-          static_cast<std::size_t>(threads) < count ? static_cast<std::size_t>(threads) : count);
-        auto take = [&](vtkIdType begin, vtkIdType end)
-        {
-          for (auto i = begin; i < end; ++i)
-          {
-            work.Take();
-          }
-        };
-        vtkSMPTools::For(0, takers, 1, take);
-      });
+    const auto takers = std::min(static_cast<std::size_t>(GetNumberOfThreads()), count);
+    const auto take = [&work] { work.Take(); };
+    if (IsSequentialByDefault())
+    {
+      RunOnOwnThreads(takers, take);
+    }
+    else
+    {
+      RunOnThreads(takers, take);
+    }
   }
   work.Take(); // for a single body, and for backends that leave the calling thread idle
   work.Rethrow();

@@ -16,8 +16,9 @@
 namespace gatun
 {
 /**
- * Calls body(0) ... body(count - 1), each once, on the threads of vtkSMPTools. If the backend is
- * Sequential by default, as in Debian's ParaView, STDThread is used instead.
+ * Calls body(0) ... body(count - 1), each once, on the threads of vtkSMPTools. If its backend is
+ * Sequential by default, as in Debian's ParaView, on threads of its own: as many as there are
+ * processors, or VTK_SMP_MAX_THREADS of the environment.
  *
  * If a body throws, the bodies that have not begun are skipped, and the first exception is thrown
  * again by the calling thread. The calling thread calls progress(fraction) before and after all
@@ -31,10 +32,10 @@ GATUN_EXPORT void ParallelFor(std::size_t count, const std::function<void(std::s
 /** The maximum number of bodies that ParallelFor runs at the same time. */
 GATUN_EXPORT int GetNumberOfThreads();
 
-/** Sets the number of threads of vtkSMPTools for the whole process; 0 for the default. */
+/** Sets the number of threads for the whole process, of vtkSMPTools, too; 0 for the default. */
 GATUN_EXPORT void SetNumberOfThreads(int count);
 
-/** Calls work while vtkSMPTools has a given number of threads. */
+/** Calls work while there is a given number of threads in the whole process. */
 GATUN_EXPORT void WithNumberOfThreads(int count, const std::function<void()>& work);
 
 /** The name of the backend of vtkSMPTools. */

@@ -127,6 +127,7 @@ GridView::GridView(vtkUnstructuredGrid* grid)
   {
     return;
   }
+  this->Faces = gatun::GetFaceStream(grid);
   this->Types = grid->GetCellTypesArray()->GetPointer(0);
   const auto read = [](auto* from, std::vector<std::int64_t>& to)
   { to.assign(from->GetPointer(0), from->GetPointer(0) + from->GetNumberOfValues()); };
@@ -146,10 +147,9 @@ GridView::GridView(vtkUnstructuredGrid* grid)
 //------------------------------------------------------------------------------
 std::span<const std::int64_t> GridView::GetFaces(std::size_t cell) const
 {
-  vtkIdTypeArray* const faces = this->Grid->GetFaces();
-  vtkIdTypeArray* const places = this->Grid->GetFaceLocations();
-  const vtkIdType place = faces && places && this->GetType(cell) == VTK_POLYHEDRON
-    ? places->GetValue(static_cast<vtkIdType>(cell))
+  vtkIdTypeArray* const faces = this->Faces.Values;
+  const vtkIdType place = faces && this->GetType(cell) == VTK_POLYHEDRON
+    ? this->Faces.Locations->GetValue(static_cast<vtkIdType>(cell))
     : -1;
   if (place < 0)
   {

@@ -5,6 +5,8 @@
 
 // The bytes of a grid, for comparing.
 
+#include "gatunFaceStream.h"
+
 #include "vtkSmartPointer.h"
 
 #include <cstddef>
@@ -67,6 +69,7 @@ private:
   const unsigned char* Types = nullptr;
   std::vector<std::int64_t> Starts; // of the ids of each cell, and the end
   std::vector<std::int64_t> Ids;
+  gatun::FaceStream Faces;
 };
 }
 

@@ -5,6 +5,8 @@
 
 #include "gtnSpooledMesh.h"
 
+#include "gatunFaceStream.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -98,7 +100,7 @@ void SpooledMesh::FillFaces(vtkUnstructuredGrid* grid, std::size_t piece,
     begins->SetValue(static_cast<vtkIdType>(i), sizes[i] > 0 ? at : -1);
     at += static_cast<vtkIdType>(sizes[i]);
   }
-  grid->SetCells(types, cells, begins, faces);
+  gatun::SetCells(grid, types, cells, { faces.GetPointer(), begins.GetPointer() });
 }
 
 //------------------------------------------------------------------------------

@@ -90,7 +90,7 @@ ours.Style = theirs.Representation = "Surface"
 for shown in ours, theirs:
     shown.Specular = 0.8
     shown.Interpolation = "Flat"
-    shown.Position = [0.1, 0, 0.2]
+    setattr(shown, drawing.place_name(shown), [0.1, 0, 0.2])
     shown.Orientation = [20, 30, 0]
 require("moved")
 for shown in ours, theirs:

@@ -101,8 +101,7 @@ require_both_same()
 view.CameraParallelProjection = 0
 
 # Moved, turned and stretched.
-# Named Position before ParaView 5.13.
-place = "Translation" if hasattr(shown[0], "Translation") else "Position"
+place = drawing.place_name(shown[0])
 set_both(**{place: [3, 0, -2]}, Orientation=[20, 30, 10], Scale=[0.7, 1, 1.2])
 drawing.require_other(require_both_same(), first[1])
 set_both(**{place: [0, 0, 0]}, Orientation=[0, 0, 0], Scale=[1, 1, 1])

@@ -16,6 +16,11 @@ COLORS = [-2.5, 0.23, 0.3, 0.75, 0.3, 0.87, 0.87, 0.87, 3, 0.71, 0.02, 0.15]
 OPACITIES = [-2.5, 0, 0.5, 0, 3, 1, 0.5, 0]
 
 
+def place_name(shown):
+    """The property of a representation that moves it, named Position before ParaView 5.13."""
+    return "Translation" if hasattr(shown, "Translation") else "Position"
+
+
 def make_view():
     view = simple.CreateRenderView()
     view.ViewSize = [SIZE, SIZE]
