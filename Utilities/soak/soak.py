@@ -41,11 +41,11 @@ LONGEST_SLICE = 180
 MOST_FINDINGS = 10  # of a task, which ends then
 
 
-def make_tasks(context, kinds):
+def make_tasks(context, kinds, chosen):
     """All tasks of these kinds; others are among the many fuzz targets, so that kinds take turns."""
     single = [Mutations(context), Kill(context), FullDisk(context), TwoWriters(context),
               Changes(context), Opens(context)]
-    fuzz = [Fuzz(context, target) for target in targets()]
+    fuzz = [Fuzz(context, target) for target in chosen]
     tests = [Sanitizer(context, preset) for preset in ("asan-ubsan", "tsan")]
     step = -(-len(fuzz) // len(single))
     mixed = []
@@ -162,6 +162,8 @@ def parse():
     time_to_run.add_argument("--seconds", type=float, help="the same in seconds")
     parser.add_argument("--kinds", default=",".join(KINDS), metavar="KIND,...",
                         help="what to try (default: all kinds)")
+    parser.add_argument("--targets", default=",".join(targets()), metavar="TARGET,...",
+                        help="what to fuzz (default: all targets)")
     parser.add_argument("--add", action="store_true",
                         help="add to the results of runs before, in place of replacing them")
     parser.add_argument("--seed", type=int, default=time.time_ns(),
@@ -178,12 +180,16 @@ def parse():
     options = parser.parse_args()
     options.seconds = options.seconds or 60 * options.minutes
     options.kinds = options.kinds.split(",")
+    options.targets = options.targets.split(",")
     for name in "build", "gtn", "scratch", "out":
         path = getattr(options, name)
         setattr(options, name, path and path.resolve())
     for kind in options.kinds:
         if kind not in KINDS:
             parser.error(f"no such kind: {kind}")
+    for target in options.targets:
+        if target not in targets():
+            parser.error(f"no such target: {target}")
     return options
 
 
@@ -191,7 +197,7 @@ def main():
     options = parse()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     context = Context(options)
-    tasks = make_tasks(context, options.kinds)
+    tasks = make_tasks(context, options.kinds, options.targets)
     for task in tasks:
         if missing := task.find_missing():
             sys.exit(f"soak: {task.name()} needs {missing}; Utilities/setup.sh soak builds it")
