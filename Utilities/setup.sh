@@ -69,6 +69,7 @@ if [ "$(. /etc/os-release && echo "${VERSION_CODENAME:-}")" = bookworm ]; then
 else
   packages_paraview+=(
     qt6-5compat-dev qt6-base-dev qt6-declarative-dev qt6-svg-dev qt6-tools-dev)
+  packages_guide+=(qt6-svg-plugins) # of ParaView's icons
 fi
 
 say() {

@@ -11,6 +11,9 @@ from desktop import NotFound, Program
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PARAVIEW = ROOT / "Utilities" / "pv-env.sh"
 
+# What a tool bar may show for the present source.
+REPRESENTATIONS = ("Outline", "Surface", "Surface With Edges", "Gatun Volume", "Gatun Surface", "Gatun Hartley")
+
 
 def plugin():
     """The plugin of the build."""
@@ -79,8 +82,9 @@ class Client(Program):
         self.settle(1.5)
 
     def show_as(self, representation):
-        bar = self.find("tool bar", "Representation Toolbar")
-        self.choose(self.find("combo box", within=bar), representation)
+        # Qt 6 gives tool bars no names.
+        boxes = (box for bar in self.all("tool bar") for box in self.all("combo box", within=bar))
+        self.choose(next(box for box in boxes if box.name in REPRESENTATIONS), representation)
         self.settle(1.5)
 
     def type_file(self, path):

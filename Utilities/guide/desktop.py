@@ -69,6 +69,12 @@ class NotFound(Exception):
     """A widget is not on the screen."""
 
 
+def role_of(widget):
+    """A push button is called a button since AT-SPI 2.54."""
+    name = widget.getRoleName()
+    return "push button" if name == "button" else name
+
+
 class Program:
     """A program with windows: finds its widgets and uses them."""
 
@@ -104,7 +110,7 @@ class Program:
         found = []
         for widget in self._walk(within or self.root):
             try:
-                if role is not None and widget.getRoleName() != role:
+                if role is not None and role_of(widget) != role:
                     continue
                 if callable(name) and not name(widget.name) or name is not None and not callable(
                         name) and widget.name != name:
