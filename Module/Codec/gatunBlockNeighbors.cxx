@@ -116,7 +116,7 @@ private:
 NeighborLists NeighborLists::OfBlock(Places places)
 {
   PointGrid grid(places);
-  NeighborLists lists(places.size());
+  NeighborLists lists(places.size(), MaxNeighbors);
   NearestPicker candidates(places.size(), MaxNeighbors);
   for (Vertex v = 0; v < places.size(); ++v)
   {

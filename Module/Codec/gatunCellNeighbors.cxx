@@ -50,7 +50,7 @@ NeighborLists NeighborLists::OfCells(
   std::span<const std::uint32_t> starts, std::span<const std::uint32_t> corners, Places places)
 {
   LastCells last(corners);
-  NeighborLists lists(places.size());
+  NeighborLists lists(places.size(), MaxCells);
   NearestPicker candidates(places.size(), MaxCells);
   for (Vertex cell = 0; cell < places.size(); ++cell)
   {

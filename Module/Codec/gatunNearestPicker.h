@@ -15,6 +15,7 @@
 #include <cstring>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace gatun
@@ -63,6 +64,22 @@ public:
     this->Marks[v] = this->Center;
   }
 
+  /** The same for several vertices. */
+  void Add(std::span<const Vertex> vertices)
+  {
+    // Copies, which a compiler need not take for something that the loop changes.
+    Vertex* const marks = this->Marks.data();
+    const Vertex center = this->Center;
+    std::size_t count = this->Count;
+    for (const Vertex v : vertices)
+    {
+      this->Ids[count] = v;
+      count += marks[v] != center ? 1 : 0;
+      marks[v] = center;
+    }
+    this->Count = count;
+  }
+
   /** Writes the nearest vertices, from the nearest one on, and returns how many. The vertex number
    * decides between equal distances. */
   std::size_t TakeNearest(std::span<const std::array<double, 3>> places, Vertex* to)
@@ -72,80 +89,106 @@ public:
     {
       this->Ranks[i] = MakeRank(places[this->Ids[i]], center);
     }
+    auto end = Highest;
+    if (this->Count > this->Most && !this->FindEnd(end))
+    {
+      return this->TakeWithTies(end, to);
+    }
     std::size_t kept = 0;
-    if (this->Count <= this->Most)
+    for (std::size_t i = 0; i < this->Count; ++i)
     {
-      for (; kept < this->Count; ++kept)
-      {
-        this->Nearest[kept] = this->GetPlace(kept);
-      }
+      this->Nearest[kept] = this->Ids[i];
+      this->NearestRanks[kept] = this->Ranks[i];
+      kept += this->Ranks[i] < end ? 1 : 0;
     }
-    else
+    if (!this->SortByRank(kept, to))
     {
-      const auto end = this->FindEnd();
-      if (this->CountBelow(end) < this->Most)
-      {
-        kept = this->TakeWithTies(end);
-      }
-      else
-      {
-        for (std::size_t i = 0; i < this->Count; ++i)
-        {
-          this->Nearest[kept] = this->GetPlace(i);
-          kept += this->Ranks[i] < end ? 1 : 0;
-        }
-      }
+      this->SortByPlace(kept, to);
     }
-    this->Sort(kept, to);
     return kept;
   }
 
 private:
   using Int4 = std::int32_t __attribute__((vector_size(16)));
-
   using Double2 = double __attribute__((vector_size(16)));
   using Long2 = std::int64_t __attribute__((vector_size(16)));
 
-  /** Bits of a rank above those of the vertex number, as a positive finite number of binary64,
-   * because all processors compare several of these at once. */
-  double GetPlace(std::size_t i) const
-  {
-    const auto rank = static_cast<std::uint64_t>(static_cast<std::uint32_t>(this->Ranks[i]));
-    return std::bit_cast<double>(rank << 32 | this->Ids[i]);
-  }
+  // Above all ranks.
+  static constexpr auto Highest = std::numeric_limits<std::int32_t>::max();
 
   /** Among many vertices at the same distance. */
-  std::size_t TakeWithTies(std::int32_t last)
+  std::size_t TakeWithTies(std::int32_t last, Vertex* to)
   {
     this->Ties.clear();
     for (std::size_t i = 0; i < this->Count; ++i)
     {
       if (this->Ranks[i] <= last)
       {
-        this->Ties.push_back(this->GetPlace(i));
+        this->Ties.emplace_back(this->Ranks[i], this->Ids[i]);
       }
     }
     std::sort(this->Ties.begin(), this->Ties.end());
-    std::copy_n(this->Ties.begin(), this->Most, this->Nearest.begin());
+    for (std::size_t i = 0; i < this->Most; ++i)
+    {
+      to[i] = this->Ties[i].second;
+    }
     return this->Most;
   }
 
-  /** The position of a vertex is the number of nearer ones. Without branches. */
-  void Sort(std::size_t count, Vertex* to)
+  /** The position of a vertex is the number of nearer ones. Without branches. False if there are
+   * equal distances: then some positions are the same, and their sum is less. */
+  bool SortByRank(std::size_t count, Vertex* to)
   {
-    this->Nearest[count] = std::numeric_limits<double>::infinity();
+    constexpr std::size_t vectors = MaxTaken / 4;
+    std::fill(this->NearestRanks.begin() + static_cast<std::ptrdiff_t>(count),
+      this->NearestRanks.end(), Highest);
+    std::array<Int4, vectors> ranks;
+    std::memcpy(ranks.data(), this->NearestRanks.data(), sizeof(ranks));
+    std::array<Int4, vectors> nearer{};
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const auto rank = this->NearestRanks[k];
+      const Int4 all{ rank, rank, rank, rank };
+      for (std::size_t j = 0; j < vectors; ++j)
+      {
+        nearer[j] -= all < ranks[j]; // -1 where it is
+      }
+    }
+    std::array<std::uint32_t, MaxTaken> positions;
+    std::memcpy(positions.data(), nearer.data(), sizeof(positions));
+    std::size_t sum = 0;
     for (std::size_t i = 0; i < count; ++i)
     {
-      const double place = this->Nearest[i];
-      const Double2 both{ place, place };
+      to[positions[i]] = this->Nearest[i];
+      sum += positions[i];
+    }
+    return 2 * sum + count == count * count;
+  }
+
+  /** The same with equal distances, which vertex numbers decide. A rank above the bits of the
+   * number is a positive finite number of binary64: all processors compare several of these at
+   * once. */
+  void SortByPlace(std::size_t count, Vertex* to)
+  {
+    std::array<double, MaxTaken + 1> places;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const auto rank =
+        static_cast<std::uint64_t>(static_cast<std::uint32_t>(this->NearestRanks[i]));
+      places[i] = std::bit_cast<double>(rank << 32 | this->Nearest[i]);
+    }
+    places[count] = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const Double2 both{ places[i], places[i] };
       Long2 nearer{};
       for (std::size_t k = 0; k < count; k += 2)
       {
         Double2 two;
-        std::memcpy(&two, this->Nearest.data() + k, sizeof(two));
+        std::memcpy(&two, places.data() + k, sizeof(two));
         nearer += two < both; // -1 where it is
       }
-      to[-(nearer[0] + nearer[1])] = static_cast<Vertex>(std::bit_cast<std::uint64_t>(place));
+      to[-(nearer[0] + nearer[1])] = this->Nearest[i];
     }
   }
 
@@ -162,37 +205,41 @@ private:
     return static_cast<std::size_t>(-(below[0] + below[1] + below[2] + below[3]));
   }
 
-  /** A rank that as many ranks are below as are to be kept; or fewer, but too many up to it. */
-  std::int32_t FindEnd()
+  /** Sets end to a rank that as many ranks are below as are to be taken. False if there is none:
+   * then end is the highest rank that fewer are below. */
+  bool FindEnd(std::int32_t& end)
   {
-    constexpr auto highest = std::numeric_limits<std::int32_t>::max();
-    std::fill_n(this->Ranks.begin() + static_cast<std::ptrdiff_t>(this->Count), 3, highest);
-    std::int32_t low = highest;
-    std::int32_t high = 0;
-    for (std::size_t i = 0; i < this->Count; ++i)
-    {
-      low = std::min(low, this->Ranks[i]);
-      high = std::max(high, this->Ranks[i] + 1); // ranks are at most that of infinity
-    }
+    std::fill_n(this->Ranks.begin() + static_cast<std::ptrdiff_t>(this->Count), 3, Highest);
+    std::int32_t low = 0;
+    std::int32_t high = Highest;
     // First near the result for the vertex before. A step of the rank's logarithm for each vertex
     // that is missing, as if they were evenly spread.
     constexpr std::int32_t step = 340000;
     constexpr unsigned guesses = 5;
     for (unsigned i = 0; high - low > 1; ++i)
     {
+      if (i == guesses)
+      {
+        const auto [least, most] =
+          std::minmax_element(this->Ranks.begin(), this->Ranks.begin() + this->Count);
+        low = std::max(low, *least);
+        high = std::min(high, *most + 1); // ranks are at most that of infinity
+      }
       const bool isGuess = i<guesses&& this->Guess> low && this->Guess < high;
       const auto middle = isGuess ? this->Guess : low + (high - low) / 2;
       const auto below = static_cast<std::int32_t>(this->CountBelow(middle));
       const auto missing = static_cast<std::int32_t>(this->Most) - below;
       this->Guess = middle;
+      end = middle;
       if (missing == 0)
       {
-        return middle;
+        return true;
       }
       (missing > 0 ? low : high) = middle;
       this->Guess += std::clamp(missing, -24, 24) * step;
     }
-    return low;
+    end = low;
+    return false;
   }
 
   const std::size_t Most;
@@ -202,8 +249,9 @@ private:
   std::size_t Count = 0;
   std::array<Vertex, MaxCandidates + 1> Ids;
   std::array<std::int32_t, MaxCandidates + 4> Ranks;
-  std::array<double, MaxTaken + 1> Nearest;
-  std::vector<double> Ties;
+  std::array<Vertex, MaxTaken + 1> Nearest; // one more is written than kept
+  std::array<std::int32_t, MaxTaken + 1> NearestRanks;
+  std::vector<std::pair<std::int32_t, Vertex>> Ties;
 };
 }
 

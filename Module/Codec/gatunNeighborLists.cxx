@@ -85,11 +85,11 @@ static_assert(NeighborLists::MaxNeighbors <= NearestPicker::MaxTaken);
 static_assert(
   NeighborLists::MaxEdges * (NeighborLists::MaxEdges + 1) <= NearestPicker::MaxCandidates);
 
-NeighborLists::NeighborLists(std::size_t centers)
+NeighborLists::NeighborLists(std::size_t centers, std::size_t most)
 {
   this->Start.reserve(centers + 1);
   this->Start.push_back(0);
-  this->List.resize((centers + 1) * MaxNeighbors); // one more is written than kept
+  this->List.resize(centers * most);
 }
 
 void NeighborLists::Append(NearestPicker& candidates, Places places)
@@ -102,7 +102,7 @@ void NeighborLists::Append(NearestPicker& candidates, Places places)
 NeighborLists NeighborLists::OfWalk(const Topology& topology, Places places)
 {
   KnownEdges edges(topology);
-  NeighborLists lists(topology.GetOwnVertices());
+  NeighborLists lists(topology.GetOwnVertices(), MaxNeighbors);
   NearestPicker candidates(places.size(), MaxNeighbors);
   for (Vertex v = 0; v < places.size(); ++v)
   {
@@ -112,16 +112,10 @@ NeighborLists NeighborLists::OfWalk(const Topology& topology, Places places)
     }
     candidates.Begin(v);
     const auto ring = edges.GetLast(v);
+    candidates.Add(ring);
     for (const Vertex u : ring)
     {
-      candidates.Add(u);
-    }
-    for (const Vertex u : ring)
-    {
-      for (const Vertex w : edges.GetLast(u))
-      {
-        candidates.Add(w);
-      }
+      candidates.Add(edges.GetLast(u));
     }
     lists.Append(candidates, places);
     edges.Publish(v);

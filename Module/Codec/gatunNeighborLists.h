@@ -50,6 +50,15 @@ public:
 
   std::size_t GetCenters() const { return this->Start.size() - 1; }
 
+  /** The number of neighbors in all lists, and in those before one. */
+  std::size_t GetNeighbors() const { return this->Start.back(); }
+  std::size_t GetStart(std::size_t center) const { return this->Start[center]; }
+
+  std::size_t GetBytes() const
+  {
+    return this->Start.capacity() * sizeof(std::uint32_t) + this->List.capacity() * sizeof(Vertex);
+  }
+
   /** Neighbors from the nearest one on. The number decides between equal distances. */
   std::span<const Vertex> Of(std::size_t center) const
   {
@@ -58,7 +67,7 @@ public:
   }
 
 private:
-  explicit NeighborLists(std::size_t centers);
+  NeighborLists(std::size_t centers, std::size_t most);
   void Append(NearestPicker& candidates, Places places);
 
   std::vector<std::uint32_t> Start;

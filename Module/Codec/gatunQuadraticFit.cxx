@@ -7,9 +7,8 @@
 #include "gatunTopology.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numeric>
+#include <utility>
 
 namespace gatun
 {
@@ -17,44 +16,38 @@ namespace
 {
 using Places = NeighborLists::Places;
 
-/** Sets a lane to the offsets of neighbors from the center, of which the mean square is 1. If that
- * cannot be, all are 0. */
+/** Sets a lane to the offsets of neighbors from the center. */
 void SetLane(QuadraticLanes& lanes, std::size_t lane, const std::array<double, 3>& center,
   std::span<const Vertex> neighbors, std::span<const std::uint8_t> isShared, Places places)
 {
-  double sum = 0;
-  for (const Vertex u : neighbors)
-  {
-    const auto& p = places[u];
-    const double x = p[0] - center[0], y = p[1] - center[1], z = p[2] - center[2];
-    sum += x * x + y * y + z * z;
-  }
-  const double mean = sum / static_cast<double>(neighbors.size());
-  const bool isUsable = mean > 0 && mean <= std::numeric_limits<double>::max();
-  const double scale = 1.0 / std::sqrt(mean);
   for (std::size_t i = 0; i < neighbors.size(); ++i)
   {
-    const auto& p = places[neighbors[i]];
-    lanes.X[i][lane] = isUsable ? static_cast<float>((p[0] - center[0]) * scale) : 0;
-    lanes.Y[i][lane] = isUsable ? static_cast<float>((p[1] - center[1]) * scale) : 0;
-    lanes.Z[i][lane] = isUsable ? static_cast<float>((p[2] - center[2]) * scale) : 0;
-    lanes.Used[i][lane] = 1;
+    const auto& place = places[neighbors[i]];
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      lanes.Offsets[axis][i][lane] = place[axis] - center[axis];
+    }
     lanes.Share[i][lane] = isShared[neighbors[i]] != 0 ? 0 : 1; // no error is known there
   }
   for (std::size_t i = neighbors.size(); i < NeighborLists::MaxNeighbors; ++i)
   {
-    lanes.X[i][lane] = lanes.Y[i][lane] = lanes.Z[i][lane] = 0;
-    lanes.Used[i][lane] = lanes.Share[i][lane] = 0;
+    for (auto& offsets : lanes.Offsets)
+    {
+      offsets[i][lane] = 0;
+    }
+    lanes.Share[i][lane] = 0;
   }
   const auto count = static_cast<float>(std::max<std::size_t>(neighbors.size(), 1));
   lanes.PerNeighbor[lane] = 3 / count;
   lanes.Equal[lane] = 1 / count;
+  lanes.Size[lane] = static_cast<float>(neighbors.size());
   lanes.Neighbors = std::max(lanes.Neighbors, neighbors.size());
 }
 }
 
 //------------------------------------------------------------------------------
 QuadraticFit::QuadraticFit(const Topology& topology, Places places)
+  : Lists(NeighborLists::OfWalk(topology, places))
 {
   std::vector<Vertex> centers;
   std::vector<std::uint8_t> isShared(places.size());
@@ -67,35 +60,30 @@ QuadraticFit::QuadraticFit(const Topology& topology, Places places)
       centers.push_back(v);
     }
   }
-  this->FindWeights(NeighborLists::OfWalk(topology, places), places, centers, isShared);
+  this->FindWeights(places, centers, isShared);
 }
 
-QuadraticFit::QuadraticFit(const NeighborLists& lists, Places places)
+QuadraticFit::QuadraticFit(NeighborLists lists, Places places)
+  : Lists(std::move(lists))
 {
   std::vector<Vertex> centers(places.size());
   std::iota(centers.begin(), centers.end(), 0u);
-  this->FindWeights(lists, places, centers, std::vector<std::uint8_t>(places.size()));
+  this->FindWeights(places, centers, std::vector<std::uint8_t>(places.size()));
 }
 
-void QuadraticFit::FindWeights(const NeighborLists& lists, Places places,
-  std::span<const Vertex> centers, std::span<const std::uint8_t> isShared)
+void QuadraticFit::FindWeights(
+  Places places, std::span<const Vertex> centers, std::span<const std::uint8_t> isShared)
 {
   const auto own = centers.size();
-  this->Start.reserve(own + 1);
-  this->Start.push_back(0);
-  for (std::size_t i = 0; i < own; ++i)
-  {
-    const auto count = static_cast<std::uint32_t>(lists.Of(i).size());
-    this->Start.push_back(this->Start.back() + count);
-  }
-  this->Ids.reserve(this->Start.back());
+  const auto all = this->Lists.GetNeighbors();
   for (auto* weights : { &this->Quadratic, &this->Linear, &this->Shares })
   {
-    weights->reserve(this->Start.back());
+    *weights = std::make_unique_for_overwrite<float[]>(all);
   }
 
   const auto findWeights = GetBestQuadraticWeights();
   QuadraticLanes lanes;
+  std::size_t at = 0;
   for (std::size_t first = 0; first < own; first += QuadraticLanes::Count)
   {
     const auto end = std::min(own, first + QuadraticLanes::Count);
@@ -108,19 +96,18 @@ void QuadraticFit::FindWeights(const NeighborLists& lists, Places places,
         SetLane(lanes, lane, {}, {}, isShared, places);
         continue;
       }
-      SetLane(lanes, lane, places[centers[i]], lists.Of(i), isShared, places);
+      SetLane(lanes, lane, places[centers[i]], this->Lists.Of(i), isShared, places);
     }
     findWeights(lanes);
     for (std::size_t i = first; i < end; ++i)
     {
-      const auto list = lists.Of(i);
       const auto lane = i - first;
-      this->Ids.insert(this->Ids.end(), list.begin(), list.end());
-      for (std::size_t k = 0; k < list.size(); ++k)
+      const auto count = this->Lists.Of(i).size();
+      for (std::size_t k = 0; k < count; ++k, ++at)
       {
-        this->Quadratic.push_back(lanes.Quadratic[k][lane]);
-        this->Linear.push_back(lanes.Linear[k][lane]);
-        this->Shares.push_back(lanes.Share[k][lane]);
+        this->Quadratic[at] = lanes.Quadratic[k][lane];
+        this->Linear[at] = lanes.Linear[k][lane];
+        this->Shares[at] = lanes.Share[k][lane];
       }
     }
   }

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <vector>
 
 namespace gatun
 {
@@ -40,7 +40,7 @@ public:
   QuadraticFit(const Topology& topology, NeighborLists::Places places);
 
   /** Of places that are all coded, in their order. */
-  QuadraticFit(const NeighborLists& lists, NeighborLists::Places places);
+  QuadraticFit(NeighborLists lists, NeighborLists::Places places);
 
   /** Of the points of a block. */
   explicit QuadraticFit(NeighborLists::Places places)
@@ -51,29 +51,26 @@ public:
   /** As NeighborLists::Of. */
   Neighbors Of(std::size_t ownVertex) const
   {
-    const std::size_t first = this->Start[ownVertex];
-    return { { this->Ids.data() + first, this->Start[ownVertex + 1] - first },
-      this->Quadratic.data() + first, this->Linear.data() + first, this->Shares.data() + first };
+    const std::size_t first = this->Lists.GetStart(ownVertex);
+    return { this->Lists.Of(ownVertex), this->Quadratic.get() + first, this->Linear.get() + first,
+      this->Shares.get() + first };
   }
 
-  /** The memory of the lists. */
+  /** The memory of the lists and weights. */
   std::size_t GetBytes() const
   {
-    return this->Start.capacity() * sizeof(std::uint32_t) + this->Ids.capacity() * sizeof(Vertex) +
-      (this->Quadratic.capacity() + this->Linear.capacity() + this->Shares.capacity()) *
-      sizeof(float);
+    return this->Lists.GetBytes() + 3 * sizeof(float) * this->Lists.GetNeighbors();
   }
 
 private:
-  void FindWeights(const NeighborLists& lists, NeighborLists::Places places,
-    std::span<const Vertex> centers, std::span<const std::uint8_t> isShared);
+  void FindWeights(NeighborLists::Places places, std::span<const Vertex> centers,
+    std::span<const std::uint8_t> isShared);
 
-  std::vector<std::uint32_t> Start;
+  NeighborLists Lists;
   // Apart, because the loop over a neighborhood waits for memory, and may need two of them only.
-  std::vector<Vertex> Ids;
-  std::vector<float> Quadratic;
-  std::vector<float> Linear;
-  std::vector<float> Shares;
+  std::unique_ptr<float[]> Quadratic;
+  std::unique_ptr<float[]> Linear;
+  std::unique_ptr<float[]> Shares;
 };
 
 /** The number that a function predicts. first: that at the nearest neighbor, so that a constant is

@@ -21,12 +21,18 @@ struct QuadraticLanes
 
   std::size_t Neighbors = 0; // the most of all lanes
 
+  // From the center: along x, y and z. 0 where there is no neighbor.
+  alignas(32) double Offsets[3][NeighborLists::MaxNeighbors][Count];
+  alignas(32) Lane Size; // the number of neighbors
+
+  // The offsets in other units, and then without the distortion of the neighborhood.
   alignas(32) Lane X[NeighborLists::MaxNeighbors];
   alignas(32) Lane Y[NeighborLists::MaxNeighbors];
   alignas(32) Lane Z[NeighborLists::MaxNeighbors];
-  alignas(32) Lane Used[NeighborLists::MaxNeighbors];  // 1 or 0
-  alignas(32) Lane PerNeighbor;                        // 3 / number of neighbors
-  alignas(32) Lane Equal;                              // 1 / number of neighbors
+  alignas(
+    32) Lane Near[NeighborLists::MaxNeighbors]; // more where a neighbor is near; 0 where none is
+  alignas(32) Lane PerNeighbor;                 // 3 / number of neighbors
+  alignas(32) Lane Equal;                       // 1 / number of neighbors
   alignas(32) Lane Share[NeighborLists::MaxNeighbors]; // 1 or 0; the result is normalized
 
   alignas(32) Lane Quadratic[NeighborLists::MaxNeighbors]; // results

@@ -10,10 +10,45 @@
 #include "gatunQuadraticLanes.h"
 #include "gatunSimd.h"
 
+#include <limits>
+
 namespace gatun
 {
 namespace GATUN_SIMD
 {
+/** Makes the mean square of the offsets 1. If that cannot be, all are 0. */
+GATUN_INLINE void Normalize(QuadraticLanes& lanes)
+{
+  for (std::size_t half = 0; half < QuadraticLanes::Count; half += 4)
+  {
+    const auto offset = [&](unsigned axis, std::size_t i)
+    { return Load<Double4>(lanes.Offsets[axis][i] + half); };
+    Double4 sum{};
+    for (std::size_t i = 0; i < lanes.Neighbors; ++i)
+    {
+      const auto x = offset(0, i), y = offset(1, i), z = offset(2, i);
+      sum += x * x + y * y + z * z;
+    }
+    const auto zero = SplatD(0);
+    const auto mean = sum / __builtin_convertvector(Load<Float4>(lanes.Size + half), Double4);
+    const auto isUsable = (mean > zero) & (mean <= SplatD(std::numeric_limits<double>::max()));
+    auto root = mean;
+    for (unsigned k = 0; k < 4; ++k)
+    {
+      root[k] = __builtin_sqrt(root[k]);
+    }
+    const auto scale = SplatD(1) / root;
+    for (std::size_t i = 0; i < lanes.Neighbors; ++i)
+    {
+      const auto store = [&](QuadraticLanes::Lane& lane, Double4 v)
+      { Store(lane + half, __builtin_convertvector(isUsable ? v * scale : zero, Float4)); };
+      store(lanes.X[i], offset(0, i));
+      store(lanes.Y[i], offset(1, i));
+      store(lanes.Z[i], offset(2, i));
+    }
+  }
+}
+
 /** Weights of neighbors by their distances before these are changed. */
 GATUN_INLINE void FindShares(QuadraticLanes& lanes)
 {
@@ -165,10 +200,18 @@ struct QuadraticSums
   }
 };
 
-/** The weight of a neighbor at a distance from the center. */
-GATUN_INLINE Float8 GetNearness(Float8 x, Float8 y, Float8 z)
+/** Finds the weights of neighbors by their distances from the center. */
+GATUN_INLINE void FindNear(QuadraticLanes& lanes)
 {
-  return Splat8(1.0f) / (x * x + y * y + z * z + Splat8(1e-3f));
+  const auto sizes = Load<Float8>(lanes.Size);
+  for (std::size_t i = 0; i < lanes.Neighbors; ++i)
+  {
+    const auto x = Load<Float8>(lanes.X[i]);
+    const auto y = Load<Float8>(lanes.Y[i]);
+    const auto z = Load<Float8>(lanes.Z[i]);
+    const auto near = Splat8(1.0f) / (x * x + y * y + z * z + Splat8(1e-3f));
+    Store(lanes.Near[i], Splat8(static_cast<float>(i)) < sizes ? near : Splat8(0.0f));
+  }
 }
 
 GATUN_INLINE void FitQuadratic(QuadraticLanes& lanes)
@@ -179,8 +222,8 @@ GATUN_INLINE void FitQuadratic(QuadraticLanes& lanes)
     const auto x = Load<Float8>(lanes.X[i]);
     const auto y = Load<Float8>(lanes.Y[i]);
     const auto z = Load<Float8>(lanes.Z[i]);
-    const auto near = GetNearness(x, y, z);
-    const auto h = near * near * near * Load<Float8>(lanes.Used[i]);
+    const auto near = Load<Float8>(lanes.Near[i]);
+    const auto h = near * near * near;
     Store(lanes.Quadratic[i], h);
     s.Add(h, x, y, z);
   }
@@ -216,8 +259,8 @@ GATUN_INLINE void FitLinear(QuadraticLanes& lanes)
     const auto x = Load<Float8>(lanes.X[i]);
     const auto y = Load<Float8>(lanes.Y[i]);
     const auto z = Load<Float8>(lanes.Z[i]);
-    const auto near = GetNearness(x, y, z);
-    const auto h = near * near * Load<Float8>(lanes.Used[i]);
+    const auto near = Load<Float8>(lanes.Near[i]);
+    const auto h = near * near;
     Store(lanes.Linear[i], h);
     const auto hx = h * x, hy = h * y, hz = h * z;
     one += h;
@@ -264,8 +307,10 @@ GATUN_INLINE void Check(const QuadraticLanes& lanes, QuadraticLanes::Lane* weigh
 
 inline void FindWeights(QuadraticLanes& lanes)
 {
+  Normalize(lanes);
   FindShares(lanes);
   Whiten(lanes);
+  FindNear(lanes);
   FitQuadratic(lanes);
   FitLinear(lanes);
   Check(lanes, lanes.Quadratic);

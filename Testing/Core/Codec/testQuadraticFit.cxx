@@ -107,19 +107,20 @@ TEST(QuadraticFit, NeighborsAreTheNearestKnownVertices)
 QuadraticLanes MakeLanes(unsigned seed)
 {
   std::mt19937 random(seed);
-  std::normal_distribution<float> place(0, 0.6f);
+  std::normal_distribution<double> place(0, 60);
   QuadraticLanes lanes{};
   for (std::size_t lane = 0; lane < QuadraticLanes::Count; ++lane)
   {
     const std::size_t count = (seed + 5 * lane) % (NeighborLists::MaxNeighbors + 1);
     for (std::size_t i = 0; i < count; ++i)
     {
-      lanes.X[i][lane] = place(random);
-      lanes.Y[i][lane] = lane == 3 ? 0 : place(random);              // in a plane
-      lanes.Z[i][lane] = lane == 3 || lane == 4 ? 0 : place(random); // on a line; in a plane
-      lanes.Used[i][lane] = 1;
+      auto& [x, y, z] = lanes.Offsets;
+      x[i][lane] = lane == 5 ? 0 : place(random);              // all at the center
+      y[i][lane] = lane == 3 || lane == 5 ? 0 : place(random); // on a line
+      z[i][lane] = lane >= 3 && lane <= 5 ? 0 : place(random); // in a plane
       lanes.Share[i][lane] = i % 3 == 0 ? 0.0f : 1.0f;
     }
+    lanes.Size[lane] = static_cast<float>(count);
     lanes.PerNeighbor[lane] = 3 / static_cast<float>(std::max<std::size_t>(count, 1));
     lanes.Neighbors = std::max(lanes.Neighbors, count);
   }
