@@ -5,7 +5,6 @@
 
 #include "gatunArrayBridge.h"
 #include "gatunError.h"
-#include "gatunFaceStream.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
@@ -105,8 +104,7 @@ void BridgedMesh::SetOthers(vtkUnstructuredGrid* grid)
   const FaceStream faces = GetFaceStream(grid);
   if (faces.Values && faces.Locations->GetNumberOfValues() >= grid->GetNumberOfCells())
   {
-    this->FaceLocations = faces.Locations;
-    this->Faces = faces.Values;
+    this->Faces = faces;
     this->Mesh.FaceLocations = bytesOf(faces.Locations);
     this->Mesh.Faces = bytesOf(faces.Values);
     this->Mesh.FacesSize = static_cast<std::uint64_t>(faces.Values->GetNumberOfValues());
@@ -139,7 +137,7 @@ Fingerprint HashArrays(const std::array<vtkDataArray*, N>& arrays)
 Fingerprint BridgedMesh::HashCells() const
 {
   return HashArrays<5>(
-    { this->Connectivity, this->Offsets, this->Types, this->FaceLocations, this->Faces });
+    { this->Connectivity, this->Offsets, this->Types, this->Faces.Locations, this->Faces.Values });
 }
 
 //------------------------------------------------------------------------------
@@ -152,6 +150,6 @@ Fingerprint BridgedMesh::HashPoints() const
 Fingerprint BridgedMesh::Hash() const
 {
   return HashArrays<6>({ this->Coordinates, this->Connectivity, this->Offsets, this->Types,
-    this->FaceLocations, this->Faces });
+    this->Faces.Locations, this->Faces.Values });
 }
 }

@@ -4,6 +4,7 @@
 #ifndef gatunBridgedMesh_h
 #define gatunBridgedMesh_h
 
+#include "gatunFaceStream.h"
 #include "gatunFileWriter.h"
 #include "gatunFingerprint.h"
 
@@ -32,8 +33,7 @@ struct VTKGATUNIO_EXPORT BridgedMesh
   // If not all cells are tetrahedra.
   vtkSmartPointer<vtkDataArray> Offsets;
   vtkSmartPointer<vtkDataArray> Types;
-  vtkSmartPointer<vtkDataArray> FaceLocations;
-  vtkSmartPointer<vtkDataArray> Faces;
+  FaceStream Faces;
 
   /** Throws gatun::Error (InvalidInput) if integer coordinates exceed 2^53. Cells must have been
    * checked by MakeCellInput or MakeTetInput. */

@@ -4,8 +4,8 @@
 #ifndef gatunFaceStream_h
 #define gatunFaceStream_h
 
-// The faces of polyhedra. VTK 9.4 has them as cell arrays; its functions for the streams of before
-// leave out polyhedra after a cell of another type.
+// The faces of polyhedra. VTK 9.4 stores them in cell arrays. Its deprecated functions for face
+// streams leave out polyhedra after a cell of another type.
 
 #include "vtkGatunIOModule.h" // For export macro
 #include "vtkSmartPointer.h"
@@ -35,8 +35,8 @@ struct FaceStream
 };
 
 /**
- * The faces of a grid, which may be its own arrays. They are not checked, except that VTK 9.4 keeps
- * lists of faces: Error(InvalidInput) if one names a face that does not exist.
+ * Returns the faces of a grid, in its own arrays before VTK 9.4. They are not checked, except that
+ * Error(InvalidInput) is thrown if a polyhedron of VTK 9.4 names a face that does not exist.
  */
 VTKGATUNIO_EXPORT FaceStream GetFaceStream(vtkUnstructuredGrid* grid);
 

@@ -64,22 +64,6 @@ public:
     this->Marks[v] = this->Center;
   }
 
-  /** The same for several vertices. */
-  void Add(std::span<const Vertex> vertices)
-  {
-    // Copies, which a compiler need not take for something that the loop changes.
-    Vertex* const marks = this->Marks.data();
-    const Vertex center = this->Center;
-    std::size_t count = this->Count;
-    for (const Vertex v : vertices)
-    {
-      this->Ids[count] = v;
-      count += marks[v] != center ? 1 : 0;
-      marks[v] = center;
-    }
-    this->Count = count;
-  }
-
   /** Writes the nearest vertices, from the nearest one on, and returns how many. The vertex number
    * decides between equal distances. */
   std::size_t TakeNearest(std::span<const std::array<double, 3>> places, Vertex* to)

@@ -112,10 +112,16 @@ NeighborLists NeighborLists::OfWalk(const Topology& topology, Places places)
     }
     candidates.Begin(v);
     const auto ring = edges.GetLast(v);
-    candidates.Add(ring);
     for (const Vertex u : ring)
     {
-      candidates.Add(edges.GetLast(u));
+      candidates.Add(u);
+    }
+    for (const Vertex u : ring)
+    {
+      for (const Vertex w : edges.GetLast(u))
+      {
+        candidates.Add(w);
+      }
     }
     lists.Append(candidates, places);
     edges.Publish(v);

@@ -133,15 +133,14 @@ bool IsSequentialByDefault()
 /** As the backend STDThread of VTK finds it. */
 int GetNumberOfOwnThreads()
 {
-  if (const int chosen = OwnThreads; chosen > 0)
+  const auto most = static_cast<int>(std::thread::hardware_concurrency());
+  int threads = OwnThreads;
+  const char* const limit = std::getenv("VTK_SMP_MAX_THREADS");
+  if (threads == 0 && limit)
   {
-    return chosen;
+    threads = std::atoi(limit);
   }
-  if (const char* const limit = std::getenv("VTK_SMP_MAX_THREADS"))
-  {
-    return std::atoi(limit);
-  }
-  return static_cast<int>(std::thread::hardware_concurrency());
+  return threads > 0 ? std::min(threads, most) : most;
 }
 
 /**

@@ -56,10 +56,6 @@ endif ()
 # The same mesh and values from any number of processes.
 find_program(MPIEXEC NAMES mpiexec mpirun)
 if (MPIEXEC AND EXISTS "${TEMP}/build/HeatSolver")
-  set(ENV{OMPI_ALLOW_RUN_AS_ROOT} 1)
-  set(ENV{OMPI_ALLOW_RUN_AS_ROOT_CONFIRM} 1)
-  set(ENV{OMPI_MCA_rmaps_base_oversubscribe} 1)
-  set(ENV{PRTE_MCA_rmaps_default_mapping_policy} ":oversubscribe")
   foreach (processes IN ITEMS 1 2 3)
     expect(0 "^4913 points, 4096 cells, 4 steps\n$"
       "${MPIEXEC}" -n ${processes} "${TEMP}/build/HeatSolver" heat${processes}.gtn 16 12 4)

@@ -82,9 +82,11 @@ class Client(Program):
         self.settle(1.5)
 
     def show_as(self, representation):
-        # Qt 6 gives tool bars no names.
-        boxes = (box for bar in self.all("tool bar") for box in self.all("combo box", within=bar))
-        self.choose(next(box for box in boxes if box.name in REPRESENTATIONS), representation)
+        def boxes():  # in any tool bar, as Qt 6 gives them no names
+            return [box for bar in self.all("tool bar")
+                    for box in self.all("combo box", lambda name: name in REPRESENTATIONS, bar)]
+        self.wait_for(boxes, "choice of a representation")
+        self.choose(boxes()[0], representation)
         self.settle(1.5)
 
     def type_file(self, path):

@@ -79,7 +79,8 @@ TEST(NearestPicker, TakesTheNearestInTheirOrder)
           const std::array<Vertex, 2> added{ static_cast<Vertex>(random() % places.size()),
             static_cast<Vertex>(random() % places.size()) };
           picker.Add(added[0]);
-          picker.Add(added);
+          picker.Add(added[1]);
+          picker.Add(added[0]); // counts once
           candidates.insert(added.begin(), added.end());
         }
         candidates.erase(center);
