@@ -19,7 +19,10 @@ namespace gatun
 namespace
 {
 template <typename Grid>
-concept HasFaceCells = requires(Grid* grid) { grid->GetPolyhedronFaces(); };
+concept HasFaceCells = requires(Grid* grid)
+{
+  grid->GetPolyhedronFaces();
+};
 
 /** Appends a polyhedron with some of these faces to a stream. */
 void Append(vtkIdTypeArray* stream, vtkIdType cell, vtkIdList* list, vtkCellArray* faces)
