@@ -27,9 +27,11 @@ gatun_core_folder(Codec
     gatunFaceMarks.h
     gatunFaceTable.h
     gatunFillRecord.h
+    gatunFrameCoder.h
     gatunFront.h
     gatunFrontGrowth.h
     gatunGate.h
+    gatunGateFrame.h
     gatunGeometry.h
     gatunGuess.h
     gatunInlineForm.h
@@ -74,6 +76,7 @@ gatun_core_folder(Codec
     gatunSurfaceModels.h
     gatunSurfaceTruth.h
     gatunSurfaceWalk.h
+    gatunTetGeometry.h
     gatunTopology.h
     gatunVertexHash.h
     gatunVertexRing.h
@@ -91,6 +94,7 @@ gatun_core_folder(Codec
     gatunEntropy.cxx
     gatunErrorBound.cxx
     gatunFront.cxx
+    gatunGateFrame.cxx
     gatunGeometry.cxx
     gatunMarkTruth.cxx
     gatunNeighborFit.cxx
@@ -106,4 +110,5 @@ gatun_core_folder(Codec
     gatunScale.cxx
     gatunScaleSurvey.cxx
     gatunSharedSearch.cxx
-    gatunSurfaceTruth.cxx)
+    gatunSurfaceTruth.cxx
+    gatunTetGeometry.cxx)

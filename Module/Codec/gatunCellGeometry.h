@@ -61,7 +61,7 @@ class CellScheme
 public:
   using Record = CellRecord;
   static constexpr unsigned Groups = 33; // the last is of seeds
-  static constexpr bool HasPlanes = true;
+  static constexpr bool HasLocalRule = false;
 
   explicit CellScheme(const CellRuleTable& table)
     : Table(table)
@@ -70,7 +70,7 @@ public:
   {
     if (table.Planes != PlaneMode::None)
     {
-      this->Planes.emplace(table.Planes == PlaneMode::Repeats);
+      this->Local.emplace(table.Planes == PlaneMode::Repeats);
     }
     for (const auto& rule : GetCellRules())
     {
@@ -120,7 +120,13 @@ public:
     return this->Spreads;
   }
 
-  std::optional<PlaneCoder<Coder>> Planes;
+  /** Whether Local codes a vertex. */
+  bool IsLocal(const CellRecord& record, unsigned) const
+  {
+    return this->Local && PlaneCoder<Coder>::CanCode(record);
+  }
+
+  std::optional<PlaneCoder<Coder>> Local; // if surfaces are on planes
 
 private:
   static constexpr unsigned Masks = 1u << CellRecord::Size;

@@ -6,6 +6,7 @@
 #include "gatunChunkPlaces.h"
 #include "gatunFaceTable.h"
 #include "gatunFloatEnvironment.h"
+#include "gatunTetGeometry.h"
 #include "gatunWalk.h"
 
 #include <optional>
@@ -130,11 +131,11 @@ private:
 class DecoderSide
 {
 public:
-  DecoderSide(
-    const ChunkFrame& frame, const Lattice& lattice, EntropyDecoder& geometry, ChunkMesh& mesh)
+  DecoderSide(const ChunkFrame& frame, const Lattice& lattice, EntropyDecoder& geometry,
+    const GateRules& rules, ChunkMesh& mesh)
     : Frame(frame)
     , Map(lattice)
-    , Geometry(geometry, frame.Domains, mesh.Rules)
+    , Geometry(geometry, frame.Domains, GateScheme<EntropyDecoder>(rules))
     , Mesh(mesh)
   {
     this->Geometry.Reserve(std::size_t{ frame.OwnPoints } + frame.SharedKeys.size());
@@ -343,100 +344,6 @@ Attempt EncodeConnectivity(
   }
   return best;
 }
-
-/** Codes the first own vertices of a mesh. */
-void CodeGeometry(
-  EntropyEncoder& coder, ChunkMesh& mesh, const PredictionRules& rules, std::size_t ownVertices)
-{
-  GeometryCoder<EntropyEncoder> geometry(coder, mesh.Domains, rules);
-  mesh.UsedRules.resize(mesh.Walk.Records.size());
-  std::size_t own = 0;
-  for (Vertex v = 0; v < mesh.Keys.size() && own < ownVertices; ++v)
-  {
-    if (!mesh.Walk.IsShared(v))
-    {
-      geometry.Code(mesh.Walk.Records[own], mesh.Keys, mesh.Keys[v], mesh.UsedRules[own]);
-      ++own;
-    }
-    geometry.Meet(mesh.Keys[v]);
-  }
-}
-
-/** Estimates the bits of a geometry stream with these rules, including the rules. */
-double SampleGeometry(ChunkMesh& mesh, const PredictionRules& rules)
-{
-  // Large enough that the adaptation of the models does not dominate.
-  constexpr std::size_t least = 1024;
-  const auto count = mesh.Walk.Records.size();
-  const auto sample = std::min(count, std::max(count / 32, least));
-  EntropyEncoder coder;
-  CodeGeometry(coder, mesh, rules, sample);
-  const double scale = sample > 0 ? static_cast<double>(count) / static_cast<double>(sample) : 0.0;
-  return scale * coder.EstimateBits() + 8.0 * static_cast<double>(rules.size() * sizeof(rules[0]));
-}
-
-Bytes WriteGeometry(ChunkMesh& mesh, const PredictionRules& rules)
-{
-  EntropyEncoder coder;
-  CodeGeometry(coder, mesh, rules, mesh.Walk.Records.size());
-  ByteWriter out;
-  out.Put(static_cast<std::uint8_t>(rules.size()));
-  for (const auto& rule : rules)
-  {
-    for (const auto weight : rule)
-    {
-      out.Put(weight);
-    }
-  }
-  out.PutBytes(coder.Finish());
-  mesh.Rules = rules;
-  return std::move(out.Data);
-}
-
-PredictionRules ReadRules(ByteReader& in)
-{
-  const auto count = in.Get<std::uint8_t>();
-  if (count < 1 || count > MaxRules)
-  {
-    ThrowCorrupt("a geometry stream has an impossible number of prediction rules");
-  }
-  PredictionRules rules(count);
-  for (auto& rule : rules)
-  {
-    for (auto& weight : rule)
-    {
-      weight = in.Get<std::int16_t>();
-    }
-  }
-  return rules;
-}
-
-/** Encodes with the fitted rule or the rules for grids, whichever is shorter. */
-Bytes EncodeGeometry(ChunkMesh& mesh, const PredictionRules& fitted)
-{
-  constexpr double sure = 0.9; // ratio of the samples' bits that decides without a full encoding
-  const auto& grid = GetGridRules();
-  const double fittedBits = SampleGeometry(mesh, fitted);
-  const double gridBits = SampleGeometry(mesh, grid);
-  if (fittedBits < sure * gridBits)
-  {
-    return WriteGeometry(mesh, fitted);
-  }
-  auto withGrid = WriteGeometry(mesh, grid);
-  if (gridBits < sure * fittedBits)
-  {
-    return withGrid;
-  }
-  const auto gridUses = mesh.UsedRules;
-  auto withFitted = WriteGeometry(mesh, fitted);
-  if (withFitted.size() <= withGrid.size())
-  {
-    return withFitted;
-  }
-  mesh.Rules = grid;
-  mesh.UsedRules = gridUses;
-  return withGrid;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -540,8 +447,10 @@ EncodedChunk EncodeChunk(const ChunkFrame& frame, Tets tets, std::span<const Poi
       ownIds[source] = v;
     }
   }
-  const auto fitted = FitRule(mesh.Walk.Records, ownIds, mesh.Keys, mesh.Domains);
-  result.Geometry = EncodeGeometry(mesh, fitted);
+  auto geometry = EncodeTetGeometry({ mesh.Walk, mesh.Keys, mesh.Domains }, ownIds);
+  result.Geometry = std::move(geometry.Stream);
+  mesh.Rules = std::move(geometry.Rules);
+  mesh.UsedRules = std::move(geometry.UsedRules);
   return result;
 }
 
@@ -561,7 +470,8 @@ ChunkMesh DecodeChunk(const ChunkFrame& frame, std::span<const std::uint8_t> con
   ByteReader in(geometry);
   ChunkMesh mesh;
   mesh.Domains = frame.Domains;
-  mesh.Rules = ReadRules(in);
+  const auto rules = ReadGateRules(in);
+  mesh.Rules = rules.Rules;
   mesh.Keys.reserve(std::size_t{ frame.OwnPoints } + frame.SharedKeys.size());
   mesh.UsedRules.reserve(frame.OwnPoints);
 
@@ -570,7 +480,7 @@ ChunkMesh DecodeChunk(const ChunkFrame& frame, std::span<const std::uint8_t> con
   const WalkInput input{ frame.Tets, frame.OwnPoints, shared, (flags & FlagPlain) != 0 };
   EntropyDecoder symbols(connectivity.subspan(1));
   EntropyDecoder coordinates(in.GetBytes(in.GetRemaining()));
-  DecoderSide side(frame, lattice, coordinates, mesh);
+  DecoderSide side(frame, lattice, coordinates, rules, mesh);
   if (flags & FlagAngle)
   {
     Walk<Ranking::Angle, EntropyDecoder, DecoderSide>(symbols, side, input, mesh.Walk).Run();

@@ -7,6 +7,7 @@
 // Encoding of own vertices' coordinates, predicted from the gates on which the vertices were met.
 
 #include "gatunDomain.h"
+#include "gatunFrameCoder.h"
 #include "gatunMeasure.h"
 #include "gatunResidual.h"
 #include "gatunTopology.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -71,6 +73,13 @@ using PredictionRule = std::array<std::int16_t, GateRecord::Size>;
 using PredictionRules = std::vector<PredictionRule>;
 
 constexpr std::size_t MaxRules = 16;
+
+/** How the geometry of a chunk of tetrahedra is predicted. */
+struct GateRules
+{
+  PredictionRules Rules;
+  std::optional<FrameRule> Frame; ///< takes the place of the last rule for coordinates
+};
 
 /** Rules that extrapolate the rows, parallelograms and parallelepipeds of split hexahedra. */
 const PredictionRules& GetGridRules();
@@ -145,12 +154,16 @@ class GateScheme
 public:
   using Record = GateRecord;
   static constexpr unsigned Groups = static_cast<unsigned>(MaxRules) + 1; // the last is of seeds
-  static constexpr bool HasPlanes = false;
+  static constexpr bool HasLocalRule = true; // that of Local is a rule among others
 
-  GateScheme(PredictionRules rules)
-    : Rules(std::move(rules))
+  explicit GateScheme(const GateRules& rules)
+    : Rules(rules.Rules)
     , RuleModels(this->Rules.size() > 1 ? 27 * 4 * MaxRules : 0)
   {
+    if (rules.Frame)
+    {
+      this->Local.emplace(*rules.Frame);
+    }
   }
 
   const PredictionRule& GetRule(unsigned rule) const { return this->Rules[rule]; }
@@ -198,6 +211,14 @@ public:
     return range.GetBits();
   }
 
+  /** Whether Local codes a vertex. */
+  GATUN_INLINE bool IsLocal(const GateRecord& record, unsigned rule) const
+  {
+    return this->Local && rule + 1 == this->Rules.size() && !record.IsSeed();
+  }
+
+  std::optional<FrameCoder<Coder>> Local;
+
 private:
   const PredictionRules Rules;
   std::vector<BitModel> RuleModels;
@@ -223,12 +244,9 @@ public:
   /** Registers the next vertex of the walk, shared or own, for the prediction of others. */
   void Meet(const PointKeys& keys)
   {
-    if constexpr (Scheme::HasPlanes)
+    if (this->Predictor.Local)
     {
-      if (this->Predictor.Planes)
-      {
-        this->Predictor.Planes->Meet();
-      }
+      this->Predictor.Local->Meet();
     }
     auto& numbers = this->Numbers.emplace_back();
     for (unsigned i = 0; i < 3; ++i)
@@ -280,16 +298,14 @@ private:
       group = this->Predictor.GetGroup(record, rule);
     }
     usedRule = static_cast<std::uint8_t>(rule);
-    const auto predictions = record.IsSeed() ? PointNumbers{} : this->Predict(rule, record);
-    if constexpr (Scheme::HasPlanes)
+    if (this->Predictor.IsLocal(record, rule))
     {
-      if (this->Predictor.Planes && this->Predictor.Planes->CanCode(record))
-      {
-        this->Previous = this->Predictor.Planes->Code(this->Symbols, domains, record, group,
-          predictions, std::span<const PointNumbers>(this->Numbers), keys, truth);
-        return this->Previous;
-      }
+      this->Previous = this->Predictor.Local->Code(
+        this->Symbols, domains, record, group, [&] { return this->Predict(rule, record); },
+        std::span<const PointNumbers>(this->Numbers), keys, truth);
+      return this->Previous;
     }
+    const auto predictions = record.IsSeed() ? PointNumbers{} : this->Predict(rule, record);
     const auto spreads =
       record.IsSeed() ? std::array<unsigned, 3>{} : this->Predictor.GetSpreads(record, keys);
     unsigned grade = 0;
@@ -333,12 +349,9 @@ private:
       {
         continue;
       }
-      const auto predictions = this->Predict(rule, record);
       int bits = 0;
-      for (unsigned i = 0; i < 3; ++i)
+      for (const auto residual : this->GetResiduals(rule, record, truth))
       {
-        const Domain& domain = this->Components[i];
-        const auto residual = domain.Subtract(truth[i], domain.FromNumber(predictions[i]));
         const auto size = static_cast<std::uint64_t>(residual < 0 ? -(residual + 1) : residual);
         bits += 2 * std::bit_width(size) + (residual != 0);
       }
@@ -349,6 +362,27 @@ private:
       }
     }
     return best;
+  }
+
+  std::array<std::int64_t, 3> GetResiduals(
+    unsigned rule, const Record& record, const PointKeys& truth) const
+  {
+    if constexpr (Scheme::HasLocalRule)
+    {
+      if (this->Predictor.IsLocal(record, rule))
+      {
+        return this->Predictor.Local->GetResiduals(
+          this->Components, record, std::span<const PointNumbers>(this->Numbers), truth);
+      }
+    }
+    const auto predictions = this->Predict(rule, record);
+    std::array<std::int64_t, 3> residuals{};
+    for (unsigned i = 0; i < 3; ++i)
+    {
+      const Domain& domain = this->Components[i];
+      residuals[i] = domain.Subtract(truth[i], domain.FromNumber(predictions[i]));
+    }
+    return residuals;
   }
 
   Coder& Symbols;

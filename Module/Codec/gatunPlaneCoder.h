@@ -56,13 +56,14 @@ public:
     this->Next = { static_cast<std::uint8_t>(this->Mean >> 4), 0 };
   }
 
-  /** Codes the vertex that is registered next. group: of the rule. place: predicted. numbers, keys:
-   * of all vertices met. */
-  template <typename DomainType>
+  /** Codes the vertex that is registered next. group: of the rule. predict(): by the rule. numbers,
+   * keys: of all vertices met. */
+  template <typename DomainType, typename Predict>
   Keys Code(Coder& coder, const std::array<DomainType, 3>& domains, const CellRecord& record,
-    unsigned group, const Numbers& place, std::span<const Numbers> numbers,
-    std::span<const Keys> keys, const Keys& truth)
+    unsigned group, Predict&& predict, std::span<const Numbers> numbers, std::span<const Keys> keys,
+    const Keys& truth)
   {
+    const Numbers place = predict();
     const std::array corners{ record.Known[CellRecord::N1], record.Known[CellRecord::N2],
       record.Known[CellRecord::D12] };
     const Frame frame(numbers[corners[0]], numbers[corners[1]], numbers[corners[2]], place);

@@ -28,7 +28,7 @@ SMALLEST = {"v1.0": "one_tet.gtn", "v1.1": "two_tets_and_one.gtn", "v1.2": "two_
             "v1.3": "two_cells.gtn", "v1.4": "two_faces.gtn",
             "v1.5": "one_tet.gtn", "v1.6": "seam_and_one.gtn", "v1.7": "two_tets.gtn",
             "v1.8": "small.gtn", "v1.9": "bounded_small.gtn", "v1.10": "moving_small.gtn",
-            "v1.11": "dying_small.gtn"}
+            "v1.11": "dying_small.gtn", "v1.12": "frames_small.gtn"}
 
 
 def is_rejected(data):

@@ -14,6 +14,7 @@ import numpy as np
 
 from gtn_bytes import Bytes, require
 from gtn_coding import Coded
+from gtn_frames import Frames
 from gtn_vertices import INF, F, Vertices, clamp, cross, dot, minus, square
 
 ANGLE, PLAIN, FLIPS = 1, 2, 4
@@ -110,10 +111,13 @@ class Geometry:
         self.used = []
         self.last = (0, 0, 0)
         stream = Bytes(stream)
-        count = stream.number("B")
+        head = stream.number("B")
+        has_frame, count = head >> 7, head & 127
         require(1 <= count <= 16, "number of rules")
         self.rules = [[stream.number("h") for _ in range(7)] for _ in range(count)]
+        weights = [stream.number("h") for _ in range(5)] if has_frame else None
         self.coded = Coded(stream)
+        self.frames = Frames(self.coded, domains, weights, count) if has_frame else None
 
     def vertex(self, record, keys):
         """Keys of the next own vertex (9.2). keys: those of all vertices met before."""
@@ -129,6 +133,10 @@ class Geometry:
                 node = 2 * node + coded.decide("Rule", record.edge_grade, record.candidates, node)
             rule = group = node - 16
             require(rule < len(self.rules), "rule")
+        if self.frames and rule == len(self.rules) - 1 and not record.is_seed:
+            self.last = self.frames.vertex(record, keys)
+            self.used.append(rule)
+            return self.last
         grade = 0
         key = []
         for i, domain in enumerate(self.domains):
