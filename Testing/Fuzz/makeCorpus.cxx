@@ -155,11 +155,29 @@ void AddChunks(Corpus& corpus, std::mt19937& random)
     }
   }
   const auto encoded = EncodeChunk(frame, tets, own);
-  ByteWriter streams;
-  streams.Put(static_cast<std::uint16_t>(encoded.Connectivity.size()));
-  streams.PutBytes(encoded.Connectivity);
-  streams.PutBytes(encoded.Geometry);
-  corpus.Add("Chunk", Join(frameNoise, again, streams.Data));
+  const auto add = [&](const Bytes& geometry)
+  {
+    ByteWriter streams;
+    streams.Put(static_cast<std::uint16_t>(encoded.Connectivity.size()));
+    streams.PutBytes(encoded.Connectivity);
+    streams.PutBytes(geometry);
+    corpus.Add("Chunk", Join(frameNoise, again, streams.Data));
+  };
+  add(encoded.Geometry);
+  // Such chunks get no frames from the encoder.
+  auto geometry = encoded.Geometry;
+  const auto rules = geometry[0] & 0x7F;
+  if (geometry[0] == rules)
+  {
+    geometry[0] |= 0x80;
+    ByteWriter weights;
+    for (const int weight : { 170, 170, 135, 68, 54 })
+    {
+      weights.Put(static_cast<std::int16_t>(weight));
+    }
+    geometry.insert(geometry.begin() + 1 + 14 * rules, weights.Data.begin(), weights.Data.end());
+    add(geometry);
+  }
 }
 
 void AddArrays(Corpus& corpus, std::mt19937& random)
