@@ -230,7 +230,7 @@ void Stages::FitNeighbors()
     {
       this->CellFits.back().emplace(mesh.FitCells());
     }
-    mesh.MakeContext(false);
+    mesh.MakeContext(gatun::ContextFits::None);
   }
 }
 

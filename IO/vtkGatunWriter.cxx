@@ -79,6 +79,7 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
     os << " " << error;
   }
   os << "\n" << indent << "KeepZeros: " << (this->KeepZeros ? "On" : "Off") << "\n";
+  os << indent << "FastArrays: " << (this->FastArrays ? "On" : "Off") << "\n";
   os << indent << "Hierarchy: " << (this->Hierarchy ? "On" : "Off") << "\n";
   os << indent << "Levels: " << this->Levels << "\n";
   os << indent << "WriteDependencies: " << (this->WriteDependencies ? "On" : "Off") << "\n";

@@ -108,6 +108,7 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(vtkUnstructuredGr
   {
     options.Errors.push_back(gatun::ParseError(error, this->Owner->KeepZeros));
   }
+  options.FastArrays = this->Owner->FastArrays;
   options.Boundary = this->Owner->WriteBoundary;
   if (this->Owner->LayerArray && *this->Owner->LayerArray)
   {

@@ -63,6 +63,7 @@ struct Options
   std::optional<std::string> PointError; ///< as given
   std::vector<std::string> Errors;       ///< of arrays, as given
   bool KeepZeros = false;
+  bool FastArrays = false;
   PieceOptions Pieces;
 };
 
@@ -215,6 +216,7 @@ void Pack(const Options& options, const Settings& settings)
     writer->AddError(error.c_str());
   }
   writer->SetKeepZeros(options.KeepZeros);
+  writer->SetFastArrays(options.FastArrays);
   Input input(options.In, options.Input);
   CheckWritable(options.Out, options.Overwrite);
 
@@ -343,6 +345,9 @@ void AddPack(CLI::App& app, Settings& settings)
   command
     ->add_flag("--keep-zeros", options->KeepZeros, "Keep values of 0 exact in arrays of --error")
     ->needs(errors);
+  command->add_flag("--fast-arrays", options->FastArrays,
+    "Compress arrays so that they are read faster, in one to two thirds of the time. The file is "
+    "larger, mostly by 5 to 10 percent (default: as small as possible)");
   AddPieceOptions(command, options->Pieces);
   command->add_flag("--triangles", options->Input.Triangles,
     "Divide the polygons and strips of a surface into triangles, which --hierarchy and --levels "

@@ -384,7 +384,7 @@ QuadraticFit ChunkMesh::FitCells() const
 }
 
 //------------------------------------------------------------------------------
-void ChunkMesh::MakeContext(bool withFits)
+void ChunkMesh::MakeContext(ContextFits fits)
 {
   this->Context.Mesh = &this->Walk;
   this->Context.Rules = &this->Rules;
@@ -401,12 +401,15 @@ void ChunkMesh::MakeContext(bool withFits)
       }
     }
   }
-  if (withFits && !this->Fit)
+  if (fits != ContextFits::None && !this->Fit)
   {
     const FloatEnvironment guard;
     const auto places = this->GetPlaces();
     this->Fit.emplace(this->Walk, places);
-    this->Quadratic.emplace(this->Walk, places);
+    if (fits == ContextFits::All)
+    {
+      this->Quadratic.emplace(this->Walk, places);
+    }
   }
   this->Context.Fit = this->Fit ? &*this->Fit : nullptr;
   this->Context.Quadratic = this->Quadratic ? &*this->Quadratic : nullptr;

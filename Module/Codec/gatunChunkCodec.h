@@ -51,6 +51,14 @@ struct ChunkFrame
   CellCounts Cells; // all 0 in a chunk of tetrahedra, where Tets counts
 };
 
+/** The weights of neighbors that a context has. */
+enum class ContextFits : std::uint8_t
+{
+  None,
+  Linear,
+  All ///< also those of quadratic functions
+};
+
 /** A mesh in the order of its walk, which is the order of its arrays. */
 struct ChunkMesh
 {
@@ -65,8 +73,8 @@ struct ChunkMesh
   /** The coordinates of all vertices. */
   std::vector<std::array<double, 3>> GetPlaces() const;
 
-  /** Prepares the context of point arrays, with weights of neighbors if withFits. */
-  void MakeContext(bool withFits);
+  /** Prepares the context of point arrays. */
+  void MakeContext(ContextFits fits);
   PointContext Context;
   std::optional<NeighborFit> Fit;
   std::optional<QuadraticFit> Quadratic;

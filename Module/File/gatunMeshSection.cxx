@@ -477,7 +477,7 @@ void MeshSection::EncodeOrder(
   if (this->State.Options.Keep & KeepPoints)
   {
     const Domain ids(GetNumberType(this->State.Meta.Points));
-    chunk.Mesh.MakeContext(false);
+    chunk.Mesh.MakeContext(ContextFits::None);
     ComponentKeys keys;
     for (const auto point : chunk.PointOf)
     {

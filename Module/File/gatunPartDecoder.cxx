@@ -170,7 +170,7 @@ std::shared_ptr<const ChunkMesh> PartDecoder::DecodeMesh(
           : DecodeCells(frame, content.Cells->Shapes, connectivity, geometry));
     });
   this->CheckPolyhedra(chunk, *mesh);
-  mesh->MakeContext(false);
+  mesh->MakeContext(ContextFits::None);
   this->Kept().Count(&ChunkCacheStatistics::MeshesDecoded);
   return KeepIn<ChunkMesh>(this->Kept(), { PartKind::ChunkMesh, chunk }, std::move(mesh));
 }

@@ -377,13 +377,13 @@ std::vector<Bytes> StepSection::EncodeBlock(const WriterPart& part, std::size_t 
   {
     if (inputs[a].Description->Where == Association::Point && !inputs[a].IsCopy && !points.empty())
     {
-      if (!fit)
+      if (!fit && !this->State.Options.FastArrays)
       {
         fit.emplace(GetPlaces(part.Mesh.GetMesh(), points));
       }
       auto keys = inputs[a].GetKeys(points);
-      streams[a] =
-        EncodeCellValues({ {}, &*fit }, inputs[a].Domains, keys, inputs[a].GetModeChoice());
+      streams[a] = EncodeCellValues(
+        { {}, fit ? &*fit : nullptr }, inputs[a].Domains, keys, inputs[a].GetModeChoice());
     }
   }
   return streams;
@@ -448,9 +448,12 @@ std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
   const FloatEnvironment guard;
   auto& step = this->GetStep();
   auto& state = part.Chunks[chunk];
-  state.Mesh.MakeContext(step.HasValues(Association::Point));
+  const bool isFast = this->State.Options.FastArrays;
+  state.Mesh.MakeContext(!step.HasValues(Association::Point) ? ContextFits::None
+      : isFast                                               ? ContextFits::Linear
+                                                             : ContextFits::All);
   std::optional<QuadraticFit> cellFit;
-  if (step.HasValues(Association::Cell))
+  if (step.HasValues(Association::Cell) && !isFast)
   {
     cellFit.emplace(state.Mesh.FitCells());
   }
@@ -499,7 +502,7 @@ std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
   }
   state.Mesh.Fit.reset();
   state.Mesh.Quadratic.reset();
-  state.Mesh.MakeContext(false);
+  state.Mesh.MakeContext(ContextFits::None);
   return streams;
 }
 

@@ -61,6 +61,10 @@ struct WriterOptions
    * bounds are bounds of each time step, by the range of all parts. */
   std::vector<ArrayError> Errors;
 
+  /** Whether values are not predicted by quadratic functions, which make arrays smaller but take
+   * longer to find than others. */
+  bool FastArrays = false;
+
   /** The layers to organize the file and its base meshes by, if any. */
   std::optional<LayerRequest> Layers;
 };

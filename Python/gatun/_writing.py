@@ -261,6 +261,7 @@ def write(
     arrays: Names | None = None,
     errors: str | Mapping[str, str] | None = None,
     keep_zeros: bool = False,
+    fast_arrays: bool = False,
     point_error: float | str | None = None,
     keep_order: bool | Names = "none",
     hierarchy: bool = False,
@@ -295,6 +296,8 @@ def write(
             ``"abs:E"``, ``"rel:E"``, ``"pw:E"`` or ``"bits:N"``; or one of these texts for all
             arrays. See ``vtkGatunWriter.AddError``.
         keep_zeros: whether values of 0 stay exactly 0 in arrays with errors.
+        fast_arrays: whether arrays are compressed so that they are read faster, in a file that is
+            mostly 5 to 10 percent larger.
         point_error: the largest error of coordinates: a number in their units, or ``"abs:E"``,
             ``"rel:E"`` (of the longest side of the bounds) or ``"bits:N"``.
         keep_order: the original order that the file keeps: ``"none"``, ``"points"``, ``"cells"``,
@@ -344,6 +347,7 @@ def write(
     _choose_arrays(writer, arrays)
     _set_errors(writer, errors)
     writer.SetKeepZeros(bool(keep_zeros))
+    writer.SetFastArrays(bool(fast_arrays))
     _set_point_error(writer, point_error)
     writer.SetKeepOrder(_find_order(keep_order))
     writer.SetHierarchy(bool(hierarchy or levels))

@@ -17,7 +17,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
     {
       auto mesh = DecodeChunk(frame, connectivity, geometry);
       fuzz::CheckChunk(frame, mesh);
-      mesh.MakeContext(true);
+      mesh.MakeContext(ContextFits::All);
     });
   return 0;
 }

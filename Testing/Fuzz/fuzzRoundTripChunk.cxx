@@ -151,8 +151,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
       Require(decoded.Keys[corners[i]] == right);
     }
   }
-  encoded.Mesh.MakeContext(true);
-  decoded.MakeContext(true);
+  encoded.Mesh.MakeContext(ContextFits::All);
+  decoded.MakeContext(ContextFits::All);
   TryValues(in, encoded, decoded);
   return 0;
 }

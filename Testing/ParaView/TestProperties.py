@@ -164,7 +164,7 @@ writer = simple.CreateWriter(path, sample.make_source())
 for prop in ("KeepOrder", "ChunkTets", "SplitCells", "ReplaceReadOnly", "FileName",
              "ChooseArraysToWrite", "WriteAllTimeSteps", "KeyStepInterval", "NumberOfPieces",
              "SpillMemory", "SpillFolder", "JoinAllPoints", "PointError", "RelativePointError",
-             "PointBits", "ArrayErrors", "KeepZeros"):
+             "PointBits", "ArrayErrors", "KeepZeros", "FastArrays"):
     assert writer.GetProperty(prop) is not None, prop
 writer.UpdatePipeline()
 reader = simple.GatunReader(FileNames=[path])

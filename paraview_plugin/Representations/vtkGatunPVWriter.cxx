@@ -119,6 +119,7 @@ int vtkGatunPVWriter::WriteWhole(const std::string& name)
     writer->SetChunkTets(this->ChunkTets);
     writer->SetKeyStepInterval(this->KeyStepInterval);
     writer->SetHierarchy(hasTree);
+    writer->SetFastArrays(this->FastArrays);
     writer->SetLevels(this->Levels);
     writer->SetWriteDependencies(this->WriteDependencies);
     writer->SetWriteBoundary(hasBoundary);

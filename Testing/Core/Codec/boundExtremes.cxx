@@ -61,7 +61,7 @@ public:
       keys[i / 3][i % 3] = domain.FromNumber(mesh.Coordinates[i]);
     }
     this->Chunk = EncodeChunk(frame, tets, keys).Mesh;
-    this->Chunk.MakeContext(true);
+    this->Chunk.MakeContext(ContextFits::All);
     this->CellFit.emplace(this->Chunk.FitCells());
     this->BlockFit.emplace(this->Chunk.GetPlaces());
     this->Plain = this->Chunk.Context;

@@ -57,7 +57,7 @@ inline std::unique_ptr<const ChunkMesh> MakeMesh(
   frame.SharedKeys = shared;
   frame.SharedUsers.assign(shared.size(), 1);
   auto result = std::make_unique<ChunkMesh>(EncodeChunk(frame, tets, own).Mesh);
-  result->MakeContext(true); // with pointers into it
+  result->MakeContext(ContextFits::All); // with pointers into it
   return result;
 }
 

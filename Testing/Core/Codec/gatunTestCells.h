@@ -221,8 +221,8 @@ inline bool IsSameCell(
 /** Encodes and decodes values on points and cells with every mode. */
 inline void ExpectArrays(EncodedCells& encoded, ChunkMesh& decoded)
 {
-  encoded.Mesh.MakeContext(true);
-  decoded.MakeContext(true);
+  encoded.Mesh.MakeContext(ContextFits::All);
+  decoded.MakeContext(ContextFits::All);
   const Domain domain(ScalarType::Float32);
   std::vector<ComponentKeys> truth(1);
   for (const auto& place : decoded.GetPlaces())

@@ -120,7 +120,7 @@ inline void ExpectSafe(const TestCells& mesh)
       [&]
       {
         auto decoded = DecodeCells(chunk.Frame, shapes, connectivity, encoded.Geometry);
-        decoded.MakeContext(true);
+        decoded.MakeContext(ContextFits::All);
         RestoreCorners(decoded.Cells, encoded.Corners);
       });
   }

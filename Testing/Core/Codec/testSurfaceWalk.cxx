@@ -233,7 +233,7 @@ void ExpectSafe(const TestCells& mesh)
     {
       auto decoded = DecodeCells(chunk.Frame, shapes, connectivity, encoded.Geometry);
       EXPECT_EQ(decoded.Cells.GetNumber(), chunk.Cells.GetNumber());
-      decoded.MakeContext(true);
+      decoded.MakeContext(ContextFits::All);
     }
     catch (const Error& error)
     {
