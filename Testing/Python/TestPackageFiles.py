@@ -54,6 +54,11 @@ assert not np.array_equal(back.cells_dict["tetra"], tets)
 back = read_arrays(write("both.gtn", keep_order=["points", "cells", "corners"]))
 require_equal(back.cells_dict["tetra"], tets)
 
+# Arrays that are read faster are those of before, in a larger file.
+fast = write("fast.gtn", fast_arrays=True, keep_order=True)
+assert os.path.getsize(fast) > os.path.getsize(find("all.gtn"))
+require_equal(read_arrays(fast).point_data["smooth"], smooth)
+
 # Arrays by name, of points and cells.
 path = find("all.gtn")
 assert list(read_arrays(path, arrays="smooth").point_data) == ["smooth"]
