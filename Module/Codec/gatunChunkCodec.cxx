@@ -401,12 +401,17 @@ void ChunkMesh::MakeContext(ContextFits fits)
       }
     }
   }
-  if (fits != ContextFits::None && !this->Fit)
+  const bool needsFit = fits != ContextFits::None && !this->Fit;
+  const bool needsQuadratic = fits == ContextFits::All && !this->Quadratic;
+  if (needsFit || needsQuadratic)
   {
     const FloatEnvironment guard;
     const auto places = this->GetPlaces();
-    this->Fit.emplace(this->Walk, places);
-    if (fits == ContextFits::All)
+    if (needsFit)
+    {
+      this->Fit.emplace(this->Walk, places);
+    }
+    if (needsQuadratic)
     {
       this->Quadratic.emplace(this->Walk, places);
     }
