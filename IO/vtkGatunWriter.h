@@ -172,8 +172,8 @@ public:
   ///@{
   /**
    * Whether arrays are compressed so that they are read faster. Values are not predicted by
-   * quadratic functions then. Files are larger, mostly by 5 to 10 percent, and take one to two
-   * thirds of the time to read. Default: off.
+   * quadratic functions then. Files are larger, by 2 to 15 percent, and take one to two thirds of
+   * the time to read. Default: off.
    */
   vtkSetMacro(FastArrays, bool);
   vtkGetMacro(FastArrays, bool);

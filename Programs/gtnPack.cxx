@@ -347,7 +347,7 @@ void AddPack(CLI::App& app, Settings& settings)
     ->needs(errors);
   command->add_flag("--fast-arrays", options->FastArrays,
     "Compress arrays so that they are read faster, in one to two thirds of the time. The file is "
-    "larger, mostly by 5 to 10 percent (default: as small as possible)");
+    "larger, by 2 to 15 percent (default: as small as possible)");
   AddPieceOptions(command, options->Pieces);
   command->add_flag("--triangles", options->Input.Triangles,
     "Divide the polygons and strips of a surface into triangles, which --hierarchy and --levels "

@@ -112,10 +112,11 @@ The rows of the table in [README.md](../../README.md). `Utilities/bench.sh --rea
               for row in rows(results)]
     parts.append(table(["measurement", "unit", "Gatun", "peer", "advantage", "rounds", "peer is"],
                        rounds))
-    text = f"""- *Settings*: all properties of Gatun have their default values, for files, too, but for `--fast-arrays`
-  in the rows that name it. `.vtu` files have VTK's default settings (zlib, 64-bit ids), except in
-  the rows of sizes: there it is the smallest file (LZMA level 9, 32-bit ids, blocks of 32 MiB). All {results["machine"]["processors"]} processors are
-  used; simplification runs on one thread.
+    text = f"""- *Settings*: all properties of Gatun have their default values, for files, too, except
+  that the second file is packed with `--fast-arrays`. `.vtu` files have VTK's default settings (zlib,
+  64-bit ids), except in the rows of sizes: there it is the smallest file (LZMA level 9, 32-bit ids,
+  blocks of 32 MiB). All {results["machine"]["processors"]} processors are used;
+  simplification runs on one thread.
 - *Delaunay mesh*: {_kind(results)}, {size["tets"]:,} tetrahedra, {size["points"]:,} points, one float
   array. For files and loading, points and cells are in random order. For frames and simplification
   they are sorted along a Morton curve, which suits VTK's mapper.

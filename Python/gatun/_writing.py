@@ -296,8 +296,8 @@ def write(
             ``"abs:E"``, ``"rel:E"``, ``"pw:E"`` or ``"bits:N"``; or one of these texts for all
             arrays. See ``vtkGatunWriter.AddError``.
         keep_zeros: whether values of 0 stay exactly 0 in arrays with errors.
-        fast_arrays: whether arrays are compressed so that they are read faster, in a file that is
-            mostly 5 to 10 percent larger.
+        fast_arrays: whether arrays are compressed so that they are read faster, in a file that is 2
+            to 15 percent larger.
         point_error: the largest error of coordinates: a number in their units, or ``"abs:E"``,
             ``"rel:E"`` (of the longest side of the bounds) or ``"bits:N"``.
         keep_order: the original order that the file keeps: ``"none"``, ``"points"``, ``"cells"``,
