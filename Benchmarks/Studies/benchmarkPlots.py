@@ -141,7 +141,7 @@ def _memory(results, folder, done):
             renderingReport.find_images(mesh, form))) for mesh in meshes]
         if form == "gtn":
             places += [(rendering["hugeTets"], renderingReport.above_idle(one["run"]))
-                       for one in rendering["huge"] if one["chunkTets"] == 65536]
+                       for one in rendering["huge"] if one["chunkTets"] == meshes[-1]["chunkTets"]]
         axes.loglog(*zip(*places), "o-", color=color, label=renderingReport.FILES[form])
     axes.set_xlabel("tetrahedra")
     axes.set_ylabel("MiB above the idle process")

@@ -149,7 +149,7 @@ def _images(rendering, plots):
                          f"{runs[0]['size']}", FILES[one["format"]],
                          one["budget"] if own else "-", number(1000 * seconds), relative,
                          number(most_memory(runs))])
-    flat = [[mesh["name"], f"{mesh['tets']:,}", "65,536",
+    flat = [[mesh["name"], f"{mesh['tets']:,}", f"{mesh['chunkTets']:,}",
              number(most_memory(find_images(mesh, "gtn")))] for mesh in rendering["meshes"]]
     flat += [["big, larger", f"{rendering['hugeTets']:,}", f"{one['chunkTets']:,}",
               number(above_idle(one["run"]))] for one in rendering["huge"]]

@@ -27,6 +27,7 @@ MODES = {
 }
 FOLDER = pathlib.Path(__file__).parent
 TIMEOUT = 3600
+CHUNK = 65536  # tetrahedra, at most: that of small meshes, in all files, so that they can be compared
 
 # Runs a command and tells the seconds and the peak memory.
 MEASURE = """
@@ -46,7 +47,7 @@ def limited(runner, limiter, what, command, limit):
 
 
 def write_command(runner, file, cubes, pieces):
-    return [sys.executable, FOLDER / "largeMesh.py", runner.programs, file, cubes, pieces]
+    return [sys.executable, FOLDER / "largeMesh.py", runner.programs, file, cubes, pieces, CHUNK]
 
 
 def describe(runner, file):

@@ -22,6 +22,7 @@ LATENCY = 5e-6  # seconds from a message to the next
 
 # What the writer has fixed: gatunWriterState, gatunPartAgreement, gatunPalette.
 LARGE_MESH, LARGE_CHUNK, USUAL_CHUNK = 10**7, 262144, 65536
+MEDIUM_MESH, MEDIUM_CHUNK = 10**6, 131072
 ROUND = 64 * 2**20
 PALETTE, KEY = 65536, 8
 COMPONENTS = 4  # of the studies' meshes that may have a palette: three coordinates and a field
@@ -30,13 +31,15 @@ STREAMS = ("MESH", "VALS")
 
 def chunk_limit(cells):
     """The most cells of a chunk of a part."""
-    return LARGE_CHUNK if cells > LARGE_MESH else USUAL_CHUNK
+    if cells > LARGE_MESH:
+        return LARGE_CHUNK
+    return MEDIUM_CHUNK if cells > MEDIUM_MESH else USUAL_CHUNK
 
 
-def count_chunks(cells, parts):
-    """Those of equal parts."""
+def count_chunks(cells, parts, limit=None):
+    """Those of equal parts, with the default limit or with another one."""
     part = cells / parts
-    return parts * math.ceil(part / chunk_limit(part))
+    return parts * math.ceil(part / (limit or chunk_limit(part)))
 
 
 # Constants of tables.
@@ -277,8 +280,8 @@ def count_ranks(ranks):
 def _compare_parts(k, mesh):
     case = f"{mesh['tets']:,} cells in {mesh['pieces']} pieces"
     step = mesh["steps"][0]
-    return [(case, "chunks", mesh["chunks"], count_chunks(mesh["tets"], mesh["pieces"]), "count",
-             False),
+    chunks = count_chunks(mesh["tets"], mesh["pieces"], USUAL_CHUNK)
+    return [(case, "chunks", mesh["chunks"], chunks, "count", False),
             (case, "size of the file", mesh["bytes"], k.bytes * mesh["tets"], "bytes",
              mesh is k.smaller),
             (case, "seconds", step["seconds"] - step["making"],

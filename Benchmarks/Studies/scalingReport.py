@@ -91,8 +91,9 @@ def _constants(k):
 
 def _formulas():
     rules = (
-        f"""Chunks: C = r ceil(n / r / limit). The limit is {model.USUAL_CHUNK:,} cells, and
-        {model.LARGE_CHUNK:,} in parts of more than {model.LARGE_MESH:,}.""",
+        f"""Chunks: C = r ceil(n / r / limit). The limit is {model.USUAL_CHUNK:,} cells,
+        {model.MEDIUM_CHUNK:,} in parts of more than {model.MEDIUM_MESH:,}, and {model.LARGE_CHUNK:,} in parts
+        of more than {model.LARGE_MESH:,}.""",
         """File: b n + d C bytes. Encoding: s n / r.""",
         """Memory of a rank: its share m n / r, e beside it, and M C for the tables of *all* chunks, because
         all ranks make the same blocks. Up to three times `SpillMemory` is included in e only as far as it

@@ -84,7 +84,7 @@ All methods use the same ray caster (`vtkGatunRayCaster`, without a window) on a
 keeps nothing for the next image. Each image is drawn by a separate process.
 
 - *While decompressing*: straight from the `.gtn` file, chunk by chunk from front to back, one chunk
-  per thread at a time. Chunks have at most 65,536 tetrahedra, the default below 10 million; *small
+  per thread at a time. Chunks have at most 65,536 tetrahedra, the default below one million; *small
   chunks* have at most 8,192.
 - *Decompress first*, the generic method of the proposal: `vtkGatunReader` makes the whole grid
   without a cache, and then the grid is drawn.

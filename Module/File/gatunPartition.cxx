@@ -216,6 +216,18 @@ Bounds FindBox(const MeshAccess& mesh)
 }
 
 //------------------------------------------------------------------------------
+std::uint32_t GetDefaultChunkTets(std::uint64_t tets, bool hasLayers)
+{
+  // Points between chunks are expensive, and small chunks keep more threads busy, with less memory
+  // for each of them.
+  constexpr std::uint64_t large = 1'000'000;
+  constexpr std::uint64_t huge = 10'000'000;
+  const std::uint32_t most = tets > huge ? 262144 : tets > large ? 131072 : 65536;
+  // An isosurface needs few chunks of a file with layers.
+  return hasLayers ? most / 4 : most;
+}
+
+//------------------------------------------------------------------------------
 std::uint64_t FindMortonCode(const MeshAccess& mesh, const Bounds& box, std::uint64_t point)
 {
   return GetMortonCode(box,

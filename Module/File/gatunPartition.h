@@ -6,6 +6,7 @@
 
 // Partitions a mesh into chunks and finds the points that they share.
 
+#include "gatunExport.h" // For export macro
 #include "gatunLayerPartition.h"
 #include "gatunMeshAccess.h"
 #include "gatunSharedGroups.h"
@@ -40,6 +41,9 @@ Bounds FindBox(const MeshAccess& mesh);
 
 /** The Morton code of a point within such bounds. */
 std::uint64_t FindMortonCode(const MeshAccess& mesh, const Bounds& box, std::uint64_t point);
+
+/** The default number of tetrahedra of a chunk, at most, of a mesh with so many. */
+GATUN_EXPORT std::uint32_t GetDefaultChunkTets(std::uint64_t tets, bool hasLayers);
 
 /**
  * Halves the cells along the longest axis of the means of their points until no part has more than

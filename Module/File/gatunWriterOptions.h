@@ -20,8 +20,9 @@ struct WriterOptions
 {
   std::uint8_t Keep = KeepNone; ///< the parts of the original order to keep, flags of KeepOrder
 
-  /** The maximum number of tetrahedra in a chunk, 64 to 1048576. 0 is 65536, or 262144 for meshes
-   * of more than 10 million tetrahedra; with layers, a quarter of that. */
+  /** The maximum number of tetrahedra in a chunk, 64 to 1048576. 0 is 65536, or 131072 for meshes
+   * of more than one million tetrahedra and 262144 for more than 10 million; with layers, a quarter
+   * of that. */
   std::uint32_t ChunkTets = 0;
 
   /** The interval of time steps that are coded independently of their predecessor, 1 or more. */

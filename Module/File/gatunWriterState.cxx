@@ -5,6 +5,7 @@
 
 #include "gatunPageSection.h"
 #include "gatunParallel.h"
+#include "gatunPartition.h"
 #include "gatunSurfaceTable.h"
 #include "gatunVersion.h"
 
@@ -14,10 +15,6 @@ namespace gatun
 {
 namespace
 {
-constexpr std::uint64_t LargeMesh = 10'000'000;
-constexpr std::uint32_t DefaultChunkTets = 65536;
-constexpr std::uint32_t LargeChunkTets = 262144;
-
 bool HasDependencies(const WriterOptions& options)
 {
   return options.Dependencies && options.Tree && !options.Tree->GetMerges().empty();
@@ -95,12 +92,9 @@ void WriterState::Describe(const MeshAccess& part)
 //------------------------------------------------------------------------------
 std::uint32_t WriterState::GetChunkTets(const MeshAccess& part) const
 {
-  // An isosurface needs few chunks of a file with layers; smaller ones keep more threads busy,
-  // and each thread needs less memory.
   return this->Options.ChunkTets != 0
     ? this->Options.ChunkTets
-    : (part.EstimateTets() > LargeMesh ? LargeChunkTets : DefaultChunkTets) /
-      (this->Options.Layers ? 4 : 1);
+    : GetDefaultChunkTets(part.EstimateTets(), this->Options.Layers.has_value());
 }
 
 //------------------------------------------------------------------------------

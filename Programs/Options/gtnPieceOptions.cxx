@@ -9,6 +9,8 @@
 #include "gtnSettings.h"
 #include "gtnSpooledMesh.h"
 
+#include "gatunPartition.h"
+
 #include "vtkGatunWriter.h"
 
 #include <fmt/core.h>
@@ -104,11 +106,11 @@ void Divide(
     spool.PieceBytes = static_cast<std::uint64_t>(target * target / static_cast<double>(largest));
   }
   // As for the whole mesh.
-  constexpr std::uint64_t largeMesh = 10000000;
-  constexpr int largeChunk = 262144;
-  if (writer->GetChunkTets() == 0 && input.GetNumberOfCells() > largeMesh)
+  if (writer->GetChunkTets() == 0)
   {
-    writer->SetChunkTets(largeChunk);
+    const char* layers = writer->GetLayerArray();
+    writer->SetChunkTets(
+      static_cast<int>(gatun::GetDefaultChunkTets(input.GetNumberOfCells(), layers && *layers)));
   }
 }
 

@@ -271,6 +271,17 @@ std::size_t CountMixedChunks(std::int64_t faces, std::int64_t step)
 }
 }
 
+TEST(Partition, ChunksAreLargerInLargerMeshes)
+{
+  EXPECT_EQ(GetDefaultChunkTets(0, false), 65536u);
+  EXPECT_EQ(GetDefaultChunkTets(1'000'000, false), 65536u);
+  EXPECT_EQ(GetDefaultChunkTets(1'000'001, false), 131072u);
+  EXPECT_EQ(GetDefaultChunkTets(10'000'000, false), 131072u);
+  EXPECT_EQ(GetDefaultChunkTets(10'000'001, false), 262144u);
+  EXPECT_EQ(GetDefaultChunkTets(1'000'000, true), 16384u);
+  EXPECT_EQ(GetDefaultChunkTets(10'000'001, true), 65536u);
+}
+
 TEST(Partition, SeparatesTetrahedraWhereTheyShareFewPointsWithOtherCells)
 {
   EXPECT_EQ(CountMixedChunks(300, 1), 0u);
