@@ -6,10 +6,10 @@
 A window needs a display. Without one, programs run under xvfb-run, if it is installed.
 """
 
-import json
 import shutil
 
 import displays
+import scalingModel
 import systemMemory
 
 ARRAY = "Density"
@@ -128,6 +128,6 @@ def measure(runner, mode, sizes, delaunay, data):
         cases = _compare_mappers(runner, name, files["vtu-raw"], wanted)
         meshes.append({"name": name, "about": ABOUT[name], "tets": cases[0]["tets"],
                        "render": cases,
-                       "chunkTets": json.loads(runner.run("gtn", "info", "--json", files["gtn"]))["chunkTets"],
+                       "chunkTets": scalingModel.chunk_limit(cases[0]["tets"]),
                        "pictures": _time_images(runner, name, files, wanted)})
     return {"meshes": meshes, "hugeTets": wanted["huge"], "huge": _measure_huge(runner, wanted)}
