@@ -98,15 +98,15 @@ def _time_images(runner, name, files, wanted):
             for found, (form, budget) in zip(runs, ways)]
 
 
-def _measure_huge(runner, wanted):
+def _measure_huge(runner, wanted, big):
     """Memory for an image of a mesh that few machines can hold."""
     if systemMemory.read("MemAvailable") < wanted["hugeNeeds"]:
         return []
     made = runner.path("rendering", "huge.vtu")
     runner.case("make", "flow1", wanted["huge"], made)
     found = []
-    # Like the big mesh, and the default for more than ten million tetrahedra.
-    for chunk in 131072, 262144:
+    # The chunks of the big mesh, and the default for more than ten million tetrahedra.
+    for chunk in scalingModel.chunk_limit(big), scalingModel.LARGE_CHUNK:
         packed = runner.path("rendering", f"huge-{chunk}.gtn")
         runner.run("gtn", "pack", "-q", "-f", "--chunk", chunk, made, packed)
         found.append({"chunkTets": chunk, "run": runner.case(
@@ -130,4 +130,4 @@ def measure(runner, mode, sizes, delaunay, data):
                        "render": cases,
                        "chunkTets": scalingModel.chunk_limit(cases[0]["tets"]),
                        "pictures": _time_images(runner, name, files, wanted)})
-    return {"meshes": meshes, "hugeTets": wanted["huge"], "huge": _measure_huge(runner, wanted)}
+    return {"meshes": meshes, "hugeTets": wanted["huge"], "huge": _measure_huge(runner, wanted, meshes[-1]["tets"])}

@@ -14,6 +14,7 @@ import time
 import benchmarkRunner
 import memoryLimit
 import partsReport
+import scalingModel
 
 NONE = 1 << 20
 
@@ -27,7 +28,7 @@ MODES = {
 }
 FOLDER = pathlib.Path(__file__).parent
 TIMEOUT = 3600
-CHUNK = 65536  # tetrahedra, at most: that of small meshes, in all files, so that they can be compared
+CHUNK = scalingModel.USUAL_CHUNK  # tetrahedra, at most: that of small meshes, in all files, so that they can be compared
 
 # Runs a command and tells the seconds and the peak memory.
 MEASURE = """

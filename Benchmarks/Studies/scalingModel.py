@@ -20,7 +20,7 @@ FILES_OF_RANK = 1e9  # and for one
 NETWORK = 10e9  # bytes a second that a rank receives
 LATENCY = 5e-6  # seconds from a message to the next
 
-# What the writer has fixed: gatunWriterState, gatunPartAgreement, gatunPalette.
+# What the writer has fixed: gatunPartition, gatunPartAgreement, gatunPalette.
 LARGE_MESH, LARGE_CHUNK, USUAL_CHUNK = 10**7, 262144, 65536
 MEDIUM_MESH, MEDIUM_CHUNK = 10**6, 131072
 ROUND = 64 * 2**20
