@@ -71,7 +71,8 @@ endfunction ()
 #     [TIMEOUT <seconds>] [PROCESSORS <n>] [ENVIRONMENT <variable>=<value>...]
 #     [DEPENDS <test>...] [EXPECT_ERRORS])
 #
-# The name is used as it is. EXPECT_ERRORS: error messages on the output do not fail the test.
+# TIMEOUT is 300 unless it is given; with ThreadSanitizer, ten times as much. The name is used as it
+# is. EXPECT_ERRORS: error messages on the output do not fail the test.
 function (gatun_add_test)
   cmake_parse_arguments(PARSE_ARGV 0 arg
     "EXPECT_ERRORS"
@@ -83,6 +84,9 @@ function (gatun_add_test)
   _gatun_check_labels(${arg_LABELS})
   if (NOT arg_TIMEOUT)
     set(arg_TIMEOUT 300)
+  endif ()
+  if (GATUN_SANITIZE MATCHES "thread")
+    math(EXPR arg_TIMEOUT "10 * ${arg_TIMEOUT}")
   endif ()
   if (NOT arg_PROCESSORS)
     set(arg_PROCESSORS 1)
@@ -114,7 +118,7 @@ endfunction ()
 #   gatun_add_core_tests(<program> SOURCES <file>... [LINK <target>...])
 #
 # Each TEST() is a test of its own, with label unit; with sanitizers, where each start of the program
-# takes about a second, they run in eight processes. Paths come as the macros GATUN_TEST_DATA and
+# takes about a second, they run in sixteen processes. Paths come as the macros GATUN_TEST_DATA and
 # GATUN_TEST_TEMP.
 function (gatun_add_core_tests program)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK")
@@ -133,13 +137,13 @@ function (gatun_add_core_tests program)
       "GATUN_TEST_DATA=\"${GATUN_TEST_DATA}\""
       "GATUN_TEST_TEMP=\"${GATUN_TEST_TEMP}\"")
   if (GATUN_SANITIZE)
-    foreach (shard RANGE 7)
+    foreach (shard RANGE 15)
       gatun_add_test(
         NAME        "${prefix}${program}-${shard}"
         COMMAND     "${program}" --gtest_brief=1
         LABELS      unit
-        TIMEOUT     1500
-        ENVIRONMENT GTEST_TOTAL_SHARDS=8 "GTEST_SHARD_INDEX=${shard}")
+        TIMEOUT     900
+        ENVIRONMENT GTEST_TOTAL_SHARDS=16 "GTEST_SHARD_INDEX=${shard}")
     endforeach ()
     return ()
   endif ()

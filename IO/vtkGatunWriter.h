@@ -144,7 +144,8 @@ public:
   /**
    * Largest number of tetrahedra in a chunk, the smallest part that can be read: 64 to 1048576, or
    * 0 for 65536 (131072 for meshes of over one million, 262144 for over 10 million; a quarter of it
-   * with layers). Small chunks make larger files. Default: 0.
+   * with layers). Of a mesh in pieces, each counts as an equal share of the mesh. Small chunks make
+   * larger files. Default: 0.
    */
   virtual void SetChunkTets(int tets);
   vtkGetMacro(ChunkTets, int);

@@ -100,6 +100,7 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(vtkUnstructuredGr
   gatun::WriterOptions options;
   options.Keep = static_cast<std::uint8_t>(this->Owner->KeepOrder);
   options.ChunkTets = static_cast<std::uint32_t>(this->Owner->ChunkTets);
+  options.Parts = static_cast<std::uint32_t>(this->PieceCount);
   options.KeyStepInterval = static_cast<std::uint32_t>(this->Owner->KeyStepInterval);
   options.ReplaceReadOnly = this->Owner->ReplaceReadOnly;
   options.IsSurface = this->IsSurface.value_or(false);

@@ -43,7 +43,7 @@ Bounds FindBox(const MeshAccess& mesh);
 std::uint64_t FindMortonCode(const MeshAccess& mesh, const Bounds& box, std::uint64_t point);
 
 /** The default limit of tetrahedra per chunk, for a mesh of so many tetrahedra. */
-GATUN_EXPORT std::uint32_t GetDefaultChunkTets(std::uint64_t tets, bool hasLayers);
+std::uint32_t GetDefaultChunkTets(std::uint64_t tets, bool hasLayers);
 
 /**
  * Halves the cells along the longest axis of the means of their points until no part has more than

@@ -25,6 +25,10 @@ struct WriterOptions
    * of that. */
   std::uint32_t ChunkTets = 0;
 
+  /** The number of parts that the mesh is expected to have, of about the same size. Without
+   * ChunkTets, chunks are as large as suits all of them together. */
+  std::uint32_t Parts = 1;
+
   /** The interval of time steps that are coded independently of their predecessor, 1 or more. */
   std::uint32_t KeyStepInterval = 8;
 

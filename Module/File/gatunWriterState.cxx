@@ -94,7 +94,8 @@ std::uint32_t WriterState::GetChunkTets(const MeshAccess& part) const
 {
   return this->Options.ChunkTets != 0
     ? this->Options.ChunkTets
-    : GetDefaultChunkTets(part.EstimateTets(), this->Options.Layers.has_value());
+    : GetDefaultChunkTets(part.EstimateTets() * std::uint64_t{ this->Options.Parts },
+        this->Options.Layers.has_value());
 }
 
 //------------------------------------------------------------------------------

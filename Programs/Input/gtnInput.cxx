@@ -267,12 +267,6 @@ std::uint64_t Input::GetBytesForAll() const
 }
 
 //------------------------------------------------------------------------------
-std::uint64_t Input::GetNumberOfCells() const
-{
-  return this->Spooled ? this->Spooled->GetNumberOfCells() : 0;
-}
-
-//------------------------------------------------------------------------------
 std::size_t Input::GetNumberOfParts() const
 {
   if (this->Spooled)

@@ -74,9 +74,6 @@ public:
   /** Returns the number of bytes that stay in memory while a mesh in pieces is written. */
   std::uint64_t GetBytesForAll() const;
 
-  /** Returns the number of cells of a mesh in pieces, or 0. */
-  std::uint64_t GetNumberOfCells() const;
-
   /** Returns the times in ascending order, or nothing without time. */
   const std::vector<double>& GetTimes() const { return this->Times; }
 

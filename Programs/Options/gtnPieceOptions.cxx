@@ -9,8 +9,6 @@
 #include "gtnSettings.h"
 #include "gtnSpooledMesh.h"
 
-#include "gatunPartition.h"
-
 #include "vtkGatunWriter.h"
 
 #include <fmt/core.h>
@@ -104,13 +102,6 @@ void Divide(
     }
     const double target = static_cast<double>(spool.PieceBytes);
     spool.PieceBytes = static_cast<std::uint64_t>(target * target / static_cast<double>(largest));
-  }
-  // As for the whole mesh.
-  if (writer->GetChunkTets() == 0)
-  {
-    const char* layers = writer->GetLayerArray();
-    writer->SetChunkTets(
-      static_cast<int>(gatun::GetDefaultChunkTets(input.GetNumberOfCells(), layers && *layers)));
   }
 }
 

@@ -69,8 +69,6 @@ public:
   /** The bytes of the largest piece in memory with a time step. */
   std::uint64_t GetLargestPiece() const;
 
-  std::uint64_t GetNumberOfCells() const { return this->Mesh->GetNumberOfCells(); }
-
   /** The bytes of points that no cell uses. They are pieces of their own. */
   std::uint64_t GetUnusedBytes() const { return this->UnusedBytes; }
 

@@ -168,6 +168,20 @@ TEST(PartWriter, JoinsMixturesWhereAllPointsAreCompared)
   ExpectJoined(MakePartMesh(Mixture(6)), true);
 }
 
+TEST(PartWriter, ChunksOfAPartSuitTheWholeMesh)
+{
+  // 100,000 tetrahedra: two chunks by themselves, one in a mesh of over one million.
+  const auto path = GetPath("part.gtn");
+  const auto mesh = MakePartMesh(MakeGrid(27, Hexahedron));
+  WriterOptions options;
+  WriteWhole(path, mesh, options);
+  EXPECT_EQ(FileReader(path).GetChunks().size(), 2u);
+  options.Parts = 12;
+  WriteWhole(path, mesh, options);
+  EXPECT_EQ(FileReader(path).GetChunks().size(), 1u);
+  ExpectMesh(path, mesh, 0);
+}
+
 TEST(PartWriter, NegativeIdsTellWhichPointsAreInNoOtherPart)
 {
   const auto mesh = MakePartMesh(Mixture(6)); // where the boundaries of parts are not enough
