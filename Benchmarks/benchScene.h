@@ -19,6 +19,9 @@ class vtkVolumeProperty;
 
 namespace bench
 {
+/** Degrees that the camera goes on from one picture to the next. */
+inline constexpr double TurnOfPictures = 7;
+
 /** A mesh's box and values, and how it is looked at: all of it, a little from above. */
 struct Scene
 {

@@ -27,7 +27,7 @@ namespace
 
 constexpr double AtRest = 1e-4; // pictures a second
 
-struct Options
+struct BudgetOptions
 {
   std::string File;
   std::string Array = "Density";
@@ -58,7 +58,7 @@ struct Track
 class PathRun
 {
 public:
-  PathRun(const Options& options, vtkUnstructuredGrid* grid)
+  PathRun(const BudgetOptions& options, vtkUnstructuredGrid* grid)
     : Settings(options)
     , Window(options.Size)
     , View(MakeScene(grid, options.Array))
@@ -132,14 +132,14 @@ private:
     return most;
   }
 
-  const Options& Settings;
+  const BudgetOptions& Settings;
   vtkNew<vtkGatunVolumeMapper> Drawn;
   vtkNew<vtkGatunVolumeMapper> Plain;
   VolumeWindow Window;
   Scene View;
 };
 
-void TimePath(const Options& options)
+void TimePath(const BudgetOptions& options)
 {
   const Grid grid = Load(options.File);
   PathRun run(options, grid);
@@ -166,7 +166,7 @@ void TimePath(const Options& options)
 //------------------------------------------------------------------------------
 void AddBudget(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BudgetOptions>();
   CLI::App* command = app.add_subcommand("budget",
     "Times of pictures that are to take no longer than a budget while the camera turns, fast and "
     "slowly, and rests; needs a display");

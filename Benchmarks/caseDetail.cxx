@@ -25,7 +25,7 @@ namespace bench
 {
 namespace
 {
-struct Options
+struct DetailOptions
 {
   std::string File;
   std::string Array = "Density";
@@ -45,7 +45,7 @@ struct Picture
 class Approach
 {
 public:
-  explicit Approach(const Options& options)
+  explicit Approach(const DetailOptions& options)
     : Settings(options)
     , File(std::make_shared<const gatun::FileReader>(options.File))
     , Of(MakeScene(*this->File, options.Array))
@@ -185,7 +185,7 @@ private:
     return static_cast<std::uint64_t>(this->Settings.Memory) << 20;
   }
 
-  const Options& Settings;
+  const DetailOptions& Settings;
   std::shared_ptr<const gatun::FileReader> File;
   Scene Of;
   gatun::FileLevelsOfDetail Levels;
@@ -195,7 +195,7 @@ private:
 //------------------------------------------------------------------------------
 void AddDetail(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DetailOptions>();
   CLI::App* command = app.add_subcommand("detail",
     "Tetrahedra and errors of pictures on the way into a mesh, simplified everywhere alike and for "
     "the view");

@@ -28,7 +28,7 @@ namespace bench
 {
 namespace
 {
-struct Options
+struct DetailFilmOptions
 {
   std::string File;
   std::string Folder;
@@ -103,7 +103,7 @@ Pixels Cast(gatun::RaySource& source, const gatun::RayView& view, const gatun::R
   return pixels;
 }
 
-void Film(const Options& options)
+void Film(const DetailFilmOptions& options)
 {
   const auto file = std::make_shared<const gatun::FileReader>(options.File);
   const Scene scene = MakeScene(*file, options.Array);
@@ -143,7 +143,7 @@ void Film(const Options& options)
 //------------------------------------------------------------------------------
 void AddDetailFilm(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DetailFilmOptions>();
   CLI::App* command = app.add_subcommand("detail-film",
     "Writes pictures on the way into a mesh, simplified everywhere alike and for the view, to a "
     "folder, also with the sizes of tetrahedra as colors; prints nothing");

@@ -23,7 +23,7 @@ namespace bench
 {
 namespace
 {
-struct Options
+struct DetailFlightOptions
 {
   std::string File;
   std::string Array = "Density";
@@ -35,7 +35,7 @@ struct Options
   bool OnlyPoints = false;
 };
 
-void Fly(const Options& options)
+void Fly(const DetailFlightOptions& options)
 {
   VolumeWindow window(options.Size);
   const PeakMemory memory;
@@ -92,7 +92,7 @@ void Fly(const Options& options)
 //------------------------------------------------------------------------------
 void AddDetailFlight(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DetailFlightOptions>();
   CLI::App* command = app.add_subcommand("detail-flight",
     "Times of pictures on the way into a mesh in a file, bytes read and memory; needs a display");
   command->add_option("FILE", options->File, "A .gtn file with a hierarchy")->required();

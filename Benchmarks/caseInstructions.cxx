@@ -22,7 +22,7 @@ namespace bench
 namespace
 {
 
-struct Options
+struct InstructionsOptions
 {
   std::string File;
   std::string Array = "Density";
@@ -30,10 +30,7 @@ struct Options
   int Rounds = 7;
 };
 
-/** Degrees that the camera goes on from one picture to the next. */
-constexpr double Turn = 7;
-
-void TimeInstructions(const Options& options)
+void TimeInstructions(const InstructionsOptions& options)
 {
   const Grid grid = Load(options.File);
   const Scene scene = MakeScene(grid, options.Array);
@@ -57,7 +54,7 @@ void TimeInstructions(const Options& options)
     const auto draw = [&, instructions, picture = 0]() mutable
     {
       caster->SetInstructions(instructions);
-      scene.SetUp(camera, Turn * ++picture);
+      scene.SetUp(camera, TurnOfPictures * ++picture);
       caster->Update();
       if (caster->GetErrorCode() != 0)
       {
@@ -89,7 +86,7 @@ void TimeInstructions(const Options& options)
 //------------------------------------------------------------------------------
 void AddInstructions(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InstructionsOptions>();
   CLI::App* command = app.add_subcommand("instructions",
     "Time of later pictures by vtkGatunRayCaster with each instruction set. A set that the "
     "processor does not have is replaced by the next simpler one");

@@ -19,7 +19,7 @@ namespace bench
 namespace
 {
 
-struct Options
+struct LoadOptions
 {
   std::string File;
   std::vector<std::string> Files;
@@ -29,8 +29,8 @@ struct Options
 };
 
 /** Files of one mesh in turns. */
-void TimeInTurns(
-  std::vector<Operation> operations, const std::vector<std::string>& files, const Options& options)
+void TimeInTurns(std::vector<Operation> operations, const std::vector<std::string>& files,
+  const LoadOptions& options)
 {
   vtkIdType tets = 0;
   for (std::size_t i = 0; i < files.size(); ++i)
@@ -54,7 +54,7 @@ void TimeInTurns(
   PrintTimes(operations, static_cast<std::uint64_t>(tets));
 }
 
-void TimeLoading(const Options& options)
+void TimeLoading(const LoadOptions& options)
 {
   std::vector<Operation> operations;
   std::vector<std::string> files;
@@ -69,7 +69,7 @@ void TimeLoading(const Options& options)
   TimeInTurns(std::move(operations), files, options);
 }
 
-void TimeFiles(const Options& options)
+void TimeFiles(const LoadOptions& options)
 {
   std::vector<Operation> operations;
   for (const std::string& file : options.Files)
@@ -79,7 +79,7 @@ void TimeFiles(const Options& options)
   TimeInTurns(std::move(operations), options.Files, options);
 }
 
-void MeasurePeak(const Options& options)
+void MeasurePeak(const LoadOptions& options)
 {
   Grid grid;
   if (!options.Out.empty())
@@ -112,7 +112,7 @@ void MeasurePeak(const Options& options)
 //------------------------------------------------------------------------------
 void AddLoad(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<LoadOptions>();
   const auto addOptions = [options](CLI::App* command)
   {
     command->add_option("--rounds", options->Rounds, "Rounds, after one to warm up")
@@ -135,7 +135,7 @@ void AddLoad(CLI::App& app)
 //------------------------------------------------------------------------------
 void AddPeak(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<LoadOptions>();
   CLI::App* command = app.add_subcommand(
     "peak", "Most memory in use while a file is loaded, or written with --write");
   command->add_option("FILE", options->File, "A .vtu or .gtn file")->required();

@@ -24,7 +24,7 @@ namespace bench
 namespace
 {
 
-struct Options
+struct MakeOptions
 {
   std::string Kind;
   int Tets = 0;
@@ -36,7 +36,7 @@ struct Options
   std::string Format = "vtu-raw";
 };
 
-void WriteOrdered(vtkUnstructuredGrid* grid, const Options& options)
+void WriteOrdered(vtkUnstructuredGrid* grid, const MakeOptions& options)
 {
   Grid ordered;
   if (options.Permute || options.Sort)
@@ -47,7 +47,7 @@ void WriteOrdered(vtkUnstructuredGrid* grid, const Options& options)
   Write({ options.Format, false, false }, grid, options.Out);
 }
 
-void Make(const Options& options)
+void Make(const MakeOptions& options)
 {
   const double hexahedra = options.Tets / 5.0;
   // A block as long as 4 when it is 3 wide and high.
@@ -78,7 +78,7 @@ void Make(const Options& options)
   }
 }
 
-void Prepare(const Options& options)
+void Prepare(const MakeOptions& options)
 {
   Grid grid = Triangulate(Load(options.In));
   if (!options.Array.empty())
@@ -120,7 +120,7 @@ void AddMachine(CLI::App& app)
 //------------------------------------------------------------------------------
 void AddMake(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MakeOptions>();
   CLI::App* command = app.add_subcommand("make", "Make a mesh, as a raw .vtu file");
   command
     ->add_option("KIND", options->Kind,
@@ -138,7 +138,7 @@ void AddMake(CLI::App& app)
 //------------------------------------------------------------------------------
 void AddPrepare(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MakeOptions>();
   CLI::App* command =
     app.add_subcommand("prepare", "Make tetrahedra of the cells of a .vtu or .gtn file");
   command->add_option("IN", options->In)->required();

@@ -20,7 +20,7 @@ namespace bench
 namespace
 {
 
-struct Options
+struct PictureOptions
 {
   std::string File;
   std::string Array = "Density";
@@ -29,7 +29,7 @@ struct Options
 };
 
 /** Straight from the file, as its reader is what the mapper is connected to. */
-void DrawFile(VolumeWindow& window, const Options& options)
+void DrawFile(VolumeWindow& window, const PictureOptions& options)
 {
   vtkNew<vtkGatunReader> reader;
   reader->SetFileName(options.File.c_str());
@@ -40,7 +40,7 @@ void DrawFile(VolumeWindow& window, const Options& options)
   window.Render();
 }
 
-void DrawGrid(VolumeWindow& window, const Options& options)
+void DrawGrid(VolumeWindow& window, const PictureOptions& options)
 {
   const Grid grid = Load(options.File);
   const Mapper mapper = MakeMapper("bunyk", options.Array, options.Budget);
@@ -49,7 +49,7 @@ void DrawGrid(VolumeWindow& window, const Options& options)
   window.Render();
 }
 
-void TimePicture(const Options& options)
+void TimePicture(const PictureOptions& options)
 {
   const bool isGatun = options.File.ends_with(".gtn");
   VolumeWindow window(options.Size);
@@ -74,7 +74,7 @@ void TimePicture(const Options& options)
 //------------------------------------------------------------------------------
 void AddPicture(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PictureOptions>();
   CLI::App* command = app.add_subcommand("picture",
     "Time and memory from a file to its first picture: .gtn by Gatun's mapper, .vtu by "
     "vtkUnstructuredGridVolumeRayCastMapper; needs a display");

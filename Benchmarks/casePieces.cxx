@@ -24,7 +24,7 @@ namespace bench
 namespace
 {
 
-struct Options
+struct PiecesOptions
 {
   std::string File;
   int Rounds = 3;
@@ -65,7 +65,7 @@ struct PieceCase
   std::vector<double> Each = {}; ///< seconds of the slowest piece, one a round
 };
 
-void TimePieces(const Options& options)
+void TimePieces(const PiecesOptions& options)
 {
   std::vector<PieceCase> cases;
   for (const int pieces : { 1, 2, 4, 8 })
@@ -190,7 +190,7 @@ std::vector<Region> MakeRegions(const std::string& file, vtkUnstructuredGrid* gr
   return regions;
 }
 
-void TimeRegions(const Options& options, const std::string& scratch)
+void TimeRegions(const PiecesOptions& options, const std::string& scratch)
 {
   const Grid grid = Load(options.File);
   vtkDataArray* array = grid->GetPointData()->GetArray(0);
@@ -249,7 +249,7 @@ void TimeRegions(const Options& options, const std::string& scratch)
 //------------------------------------------------------------------------------
 void AddPieces(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PiecesOptions>();
   CLI::App* command = app.add_subcommand(
     "pieces", "Time and bytes to read a mesh whole and in pieces, one after the other");
   command->add_option("FILE", options->File, "A .gtn file")->required();
@@ -261,7 +261,7 @@ void AddPieces(CLI::App& app)
 //------------------------------------------------------------------------------
 void AddRegion(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PiecesOptions>();
   auto scratch = std::make_shared<std::string>();
   CLI::App* command =
     app.add_subcommand("roi", "Time and bytes to read boxes and value ranges of a mesh");

@@ -22,7 +22,7 @@ namespace bench
 namespace
 {
 
-struct Options
+struct RenderOptions
 {
   std::string File;
   std::string Array = "Density";
@@ -50,9 +50,6 @@ double GetGain(const std::vector<double>& first, const std::vector<double>& othe
   return gains[gains.size() / 2];
 }
 
-/** Degrees that the camera goes on from one picture to the next. */
-constexpr double Turn = 7;
-
 /** A mapper at work. */
 struct Contender
 {
@@ -66,7 +63,7 @@ struct Contender
 };
 
 void DrawFirst(
-  Contender& contender, vtkUnstructuredGrid* grid, const Scene& scene, const Options& options)
+  Contender& contender, vtkUnstructuredGrid* grid, const Scene& scene, const RenderOptions& options)
 {
   contender.Window.reset(); // so that not both are in memory
   contender.Window = std::make_unique<VolumeWindow>(options.Size);
@@ -81,7 +78,7 @@ void DrawFirst(
   contender.FirstPicture = contender.Window->Look();
 }
 
-void Print(const Options& options, vtkUnstructuredGrid* grid, std::uint64_t hits,
+void Print(const RenderOptions& options, vtkUnstructuredGrid* grid, std::uint64_t hits,
   const std::vector<Contender>& contenders, const std::vector<Operation>& operations)
 {
   PrintJson(
@@ -107,7 +104,7 @@ void Print(const Options& options, vtkUnstructuredGrid* grid, std::uint64_t hits
     });
 }
 
-void TimeRendering(const Options& options)
+void TimeRendering(const RenderOptions& options)
 {
   const Grid grid = Load(options.File);
   Scene scene = MakeScene(grid, options.Array);
@@ -132,9 +129,9 @@ void TimeRendering(const Options& options)
   std::vector<Operation> operations;
   for (Contender& contender : contenders)
   {
-    operations.push_back(
-      { contender.Name, [&contender] { contender.Window->Render(Turn * ++contender.Pictures); },
-        contender.IsSlow() ? options.SlowRounds : options.Rounds });
+    operations.push_back({ contender.Name,
+      [&contender] { contender.Window->Render(TurnOfPictures * ++contender.Pictures); },
+      contender.IsSlow() ? options.SlowRounds : options.Rounds });
   }
   RunInterleaved(operations, options.Rounds);
   Print(options, grid, hits, contenders, operations);
@@ -145,7 +142,7 @@ void TimeRendering(const Options& options)
 //------------------------------------------------------------------------------
 void AddRender(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand(
     "render", "Time of first and later pictures by volume mappers; needs a display");
   command->add_option("FILE", options->File, "A .vtu or .gtn file of tetrahedra")->required();

@@ -32,7 +32,7 @@ namespace bench
 namespace
 {
 
-struct Options
+struct SeriesOptions
 {
   std::string In;
   std::string Folder;
@@ -134,7 +134,7 @@ struct Series
   std::uint64_t VtuBytes = 0;
 };
 
-Series WriteSeries(const Options& options)
+Series WriteSeries(const SeriesOptions& options)
 {
   auto grid = Grid::New();
   grid->CopyStructure(Load(options.In));
@@ -244,7 +244,7 @@ void StepThroughVtu(const Series& series, const std::vector<std::size_t>& order)
   }
 }
 
-void TimeSeries(const Options& options)
+void TimeSeries(const SeriesOptions& options)
 {
   const Series series = WriteSeries(options);
   std::vector<std::size_t> forward(series.Times.size());
@@ -290,7 +290,7 @@ void TimeSeries(const Options& options)
 //------------------------------------------------------------------------------
 void AddSeries(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SeriesOptions>();
   CLI::App* command = app.add_subcommand(
     "series", "Bytes of a time series over one mesh, and time to step through it");
   command->add_option("IN", options->In, "A .vtu or .gtn file of tetrahedra")->required();

@@ -26,7 +26,7 @@ namespace bench
 namespace
 {
 
-struct Options
+struct SimplifyOptions
 {
   std::string File;
   std::string Array = "Density";
@@ -89,7 +89,7 @@ double SimplifyToTets(vtkGatunSimplify* filter, vtkIdType points, std::uint64_t 
   return seconds;
 }
 
-void SimplifyByGatun(const Options& options)
+void SimplifyByGatun(const SimplifyOptions& options)
 {
   const Grid grid = KeepPointArray(Load(options.File), options.Array);
   vtkNew<vtkGatunSimplify> filter;
@@ -123,7 +123,7 @@ void SimplifyByGatun(const Options& options)
     });
 }
 
-void SimplifyByQuadrics(const Options& options)
+void SimplifyByQuadrics(const SimplifyOptions& options)
 {
   const Grid grid = KeepPointArray(Load(options.File), options.Array);
   grid->GetPointData()->SetActiveScalars(options.Array.c_str());
@@ -154,7 +154,7 @@ void SimplifyByQuadrics(const Options& options)
 }
 
 /** Only the list of merges, without the filter around it, by each number of threads in turn. */
-void Build(const Options& options)
+void Build(const SimplifyOptions& options)
 {
   const Grid grid = KeepPointArray(Load(options.File), options.Array);
   vtkDataArray* const array = grid->GetPointData()->GetArray(0);
@@ -218,8 +218,8 @@ void Build(const Options& options)
     });
 }
 
-void AddComparison(
-  Json::Value& json, const Samples& samples, vtkUnstructuredGrid* grid, const Options& options)
+void AddComparison(Json::Value& json, const Samples& samples, vtkUnstructuredGrid* grid,
+  const SimplifyOptions& options)
 {
   const Deviation deviation = Compare(samples, grid, options.Array);
   const Shapes shapes = LookAtShapes(grid);
@@ -239,7 +239,7 @@ void AddComparison(
   json["inverted"] = std::uint64_t{ shapes.Inverted };
 }
 
-void CompareAll(const Options& options)
+void CompareAll(const SimplifyOptions& options)
 {
   const Grid grid = Load(options.File);
   const Samples samples = MakeSamples(grid, options.Array, options.Samples);
@@ -258,8 +258,8 @@ void CompareAll(const Options& options)
     });
 }
 
-CLI::App* AddCase(CLI::App& app, const std::shared_ptr<Options>& options, const char* name,
-  const char* about, void (*run)(const Options&))
+CLI::App* AddCase(CLI::App& app, const std::shared_ptr<SimplifyOptions>& options, const char* name,
+  const char* about, void (*run)(const SimplifyOptions&))
 {
   CLI::App* command = app.add_subcommand(name, about);
   command->add_option("FILE", options->File, "A .gtn or .vtu file of tetrahedra")->required();
@@ -273,7 +273,7 @@ CLI::App* AddCase(CLI::App& app, const std::shared_ptr<Options>& options, const 
 //------------------------------------------------------------------------------
 void AddSimplify(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SimplifyOptions>();
   CLI::App* gatun = AddCase(app, options, "simplify-gatun",
     "Time and memory of vtkGatunSimplify: the first update, and then to other sizes",
     SimplifyByGatun);

@@ -36,7 +36,7 @@ namespace bench
 {
 namespace
 {
-struct Options
+struct SimplifyIntegratedOptions
 {
   std::string File;
   std::string Array = "Density";
@@ -53,7 +53,7 @@ struct Stages
   double Render = 0;
 };
 
-double Draw(vtkGatunRayCaster* caster, const Options& options)
+double Draw(vtkGatunRayCaster* caster, const SimplifyIntegratedOptions& options)
 {
   const Scene scene = MakeScene(gatun::FileReader(options.File), options.Array);
   vtkNew<vtkCamera> camera;
@@ -94,7 +94,7 @@ vtkSmartPointer<vtkTypeInt64Array> SimplifyCells(
 }
 
 /** The reader's points are those of the file in its order, so that its tree is theirs. */
-Grid Simplify(vtkUnstructuredGrid* grid, const Options& options)
+Grid Simplify(vtkUnstructuredGrid* grid, const SimplifyIntegratedOptions& options)
 {
   const gatun::MergeTree tree = gatun::FileReader(options.File).GetMergeTree();
   const auto ancestors =
@@ -120,7 +120,7 @@ Grid Simplify(vtkUnstructuredGrid* grid, const Options& options)
   return simple;
 }
 
-Stages DrawWhole(vtkGatunRayCaster* caster, const Options& options)
+Stages DrawWhole(vtkGatunRayCaster* caster, const SimplifyIntegratedOptions& options)
 {
   Stages stages;
   Grid grid;
@@ -144,7 +144,7 @@ Stages DrawWhole(vtkGatunRayCaster* caster, const Options& options)
   return stages;
 }
 
-void DrawFile(vtkGatunRayCaster* caster, const Options& options)
+void DrawFile(vtkGatunRayCaster* caster, const SimplifyIntegratedOptions& options)
 {
   vtkNew<vtkGatunReader> reader;
   reader->SetMemoryBudget(0);
@@ -155,7 +155,7 @@ void DrawFile(vtkGatunRayCaster* caster, const Options& options)
 }
 
 /** The seconds in which the merges of a simplified mesh are read and distributed to chunks. */
-double TimeMerges(const Options& options)
+double TimeMerges(const SimplifyIntegratedOptions& options)
 {
   const auto file = std::make_shared<gatun::FileReader>(options.File);
   const auto merges = gatun::CountMerges({ gatun::SimplifyTarget::Ratio, options.Ratio },
@@ -174,7 +174,7 @@ double TimeMerges(const Options& options)
     });
 }
 
-void TimePicture(const Options& options)
+void TimePicture(const SimplifyIntegratedOptions& options)
 {
   vtkNew<vtkGatunRayCaster> caster;
   Stages stages;
@@ -216,7 +216,7 @@ void TimePicture(const Options& options)
 //------------------------------------------------------------------------------
 void AddSimplifyIntegrated(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SimplifyIntegratedOptions>();
   CLI::App* command = app.add_subcommand(
     "simplify-integrated", "The picture of a simplified mesh, straight from its file");
   command->add_option("FILE", options->File, "A .gtn file with a hierarchy")->required();

@@ -29,7 +29,7 @@ namespace bench
 namespace
 {
 
-struct Options
+struct SimplifyPictureOptions
 {
   std::vector<std::string> Files;
   std::string Array = "Density";
@@ -40,8 +40,8 @@ struct Options
 };
 
 /** Draws a mesh by a scene, which is always that of the first one. */
-void Draw(vtkUnstructuredGrid* grid, const Scene& scene, const Options& options, int size,
-  vtkGatunRayCaster::BlendModes mode, Pixels& pixels)
+void Draw(vtkUnstructuredGrid* grid, const Scene& scene, const SimplifyPictureOptions& options,
+  int size, vtkGatunRayCaster::BlendModes mode, Pixels& pixels)
 {
   vtkNew<vtkCamera> camera;
   vtkNew<vtkVolumeProperty> property;
@@ -96,7 +96,7 @@ Difference Compare(const Pixels& a, const Pixels& b)
   return difference;
 }
 
-void ComparePictures(const Options& options)
+void ComparePictures(const SimplifyPictureOptions& options)
 {
   std::vector<Grid> grids;
   for (const auto& file : options.Files)
@@ -153,7 +153,7 @@ void ComparePictures(const Options& options)
 //------------------------------------------------------------------------------
 void AddSimplifyPicture(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SimplifyPictureOptions>();
   CLI::App* command = app.add_subcommand("simplify-picture",
     "Pictures of meshes by vtkGatunRayCaster, and how far they are from that of the first mesh");
   command->add_option("FILES", options->Files, "Meshes, .gtn or .vtu")->required();

@@ -32,7 +32,7 @@ namespace bench
 {
 namespace
 {
-struct Options
+struct SimplifySurfaceOptions
 {
   std::string Name;
   std::string Array;
@@ -239,7 +239,7 @@ Triangles SimplifyByMeshoptimizer([[maybe_unused]] vtkPolyData* surface,
 #endif
 }
 
-Triangles Make(const Options& options)
+Triangles Make(const SimplifySurfaceOptions& options)
 {
   if (options.Name.find('.') == std::string::npos)
   {
@@ -268,7 +268,7 @@ void AddResult(Json::Value& json, const std::string& way, double part, double se
   json.append(mesh);
 }
 
-void Run(const Options& options)
+void Run(const SimplifySurfaceOptions& options)
 {
   const Triangles surface = Make(options);
   const TriangleComparison comparison(
@@ -319,7 +319,7 @@ void Run(const Options& options)
 //------------------------------------------------------------------------------
 void AddSimplifySurface(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SimplifySurfaceOptions>();
   CLI::App* command = app.add_subcommand("simplify-surface",
     "Triangles simplified by Gatun and by peers: time, two-sided Hausdorff distance, field RMS");
   command

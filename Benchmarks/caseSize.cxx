@@ -20,7 +20,7 @@ namespace bench
 namespace
 {
 
-struct Options
+struct SizeOptions
 {
   std::string In;
   std::string Folder;
@@ -77,7 +77,7 @@ void AddParts(Json::Value& json, const std::string& file)
   }
 }
 
-void Size(const Options& options)
+void Size(const SizeOptions& options)
 {
   const Grid grid = Load(options.In);
   PrintJson(
@@ -102,7 +102,7 @@ void Size(const Options& options)
     });
 }
 
-void TimeWriting(const Options& options)
+void TimeWriting(const SizeOptions& options)
 {
   const Grid grid = Load(options.In);
   std::vector<Operation> operations;
@@ -123,7 +123,7 @@ void TimeWriting(const Options& options)
 //------------------------------------------------------------------------------
 void AddSize(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SizeOptions>();
   CLI::App* command =
     app.add_subcommand("size", "Sizes as .gtn, part by part, and as .vtu; leaves the files");
   command->add_option("IN", options->In, "A .vtu or .gtn file of tetrahedra")->required();
@@ -134,7 +134,7 @@ void AddSize(CLI::App& app)
 //------------------------------------------------------------------------------
 void AddWrite(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SizeOptions>();
   CLI::App* command = app.add_subcommand("write", "Time to write .gtn and .vtu");
   command->add_option("IN", options->In, "A .vtu or .gtn file of tetrahedra")->required();
   command->add_option("FOLDER", options->Folder, "Where the files go")->required();

@@ -27,7 +27,7 @@ namespace bench
 namespace
 {
 
-struct Options
+struct StudyPictureOptions
 {
   std::string File;
   std::string Array = "Density";
@@ -57,7 +57,7 @@ Seen Look(vtkImageData* image)
     sum / (3 * static_cast<double>(count)) };
 }
 
-void Draw(vtkGatunRayCaster* caster, const Scene& scene, const Options& options)
+void Draw(vtkGatunRayCaster* caster, const Scene& scene, const StudyPictureOptions& options)
 {
   vtkNew<vtkCamera> camera;
   vtkNew<vtkVolumeProperty> property;
@@ -93,14 +93,14 @@ Grid LoadWhole(const std::string& file)
   return reader->GetOutput();
 }
 
-void DrawWhole(vtkGatunRayCaster* caster, const Options& options)
+void DrawWhole(vtkGatunRayCaster* caster, const StudyPictureOptions& options)
 {
   const Grid grid = LoadWhole(options.File);
   caster->SetInputData(grid);
   Draw(caster, MakeScene(grid, options.Array), options);
 }
 
-void DrawFile(vtkGatunRayCaster* caster, const Options& options)
+void DrawFile(vtkGatunRayCaster* caster, const StudyPictureOptions& options)
 {
   vtkNew<vtkGatunReader> reader;
   reader->SetMemoryBudget(0);
@@ -109,7 +109,7 @@ void DrawFile(vtkGatunRayCaster* caster, const Options& options)
   Draw(caster, MakeScene(gatun::FileReader(options.File), options.Array), options);
 }
 
-void TimePicture(const Options& options)
+void TimePicture(const StudyPictureOptions& options)
 {
   vtkNew<vtkGatunRayCaster> caster;
   const Cost cost =
@@ -132,7 +132,7 @@ void TimePicture(const Options& options)
 //------------------------------------------------------------------------------
 void AddStudyPicture(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StudyPictureOptions>();
   CLI::App* command = app.add_subcommand("study-picture",
     "Time and memory from a file to a picture by vtkGatunRayCaster, chunk by chunk");
   command->add_option("FILE", options->File, "A .gtn file; with --whole also a .vtu file")

@@ -21,7 +21,7 @@ namespace bench
 namespace
 {
 
-struct Options
+struct StudyRaysOptions
 {
   std::string File;
   std::string Array = "Density";
@@ -106,7 +106,7 @@ void Print(const RayCase& one, const Operation& operation, Json::Value& json)
   json.append(entry);
 }
 
-void Time(const Options& options, std::vector<RayCase>& cases,
+void Time(const StudyRaysOptions& options, std::vector<RayCase>& cases,
   const std::shared_ptr<const gatun::FileReader>& file)
 {
   const std::uint32_t array = FindPointArray(*file, options.Array);
@@ -136,7 +136,7 @@ void Time(const Options& options, std::vector<RayCase>& cases,
     });
 }
 
-void StudyRelease(const Options& options)
+void StudyRelease(const StudyRaysOptions& options)
 {
   const auto file = std::make_shared<const gatun::FileReader>(options.File);
   std::vector<RayCase> cases;
@@ -158,7 +158,7 @@ void StudyRelease(const Options& options)
   Time(options, cases, file);
 }
 
-void StudyPrefilter(const Options& options)
+void StudyPrefilter(const StudyRaysOptions& options)
 {
   const auto file = std::make_shared<const gatun::FileReader>(options.File);
   std::vector<RayCase> cases;
@@ -174,9 +174,9 @@ void StudyPrefilter(const Options& options)
   Time(options, cases, file);
 }
 
-void Add(CLI::App& app, const char* name, const char* about, void (*study)(const Options&))
+void Add(CLI::App& app, const char* name, const char* about, void (*study)(const StudyRaysOptions&))
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StudyRaysOptions>();
   CLI::App* command = app.add_subcommand(name, about);
   command->add_option("FILE", options->File, "A .gtn file")->required();
   command->add_option("--array", options->Array, "The point array to show");

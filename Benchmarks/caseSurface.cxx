@@ -25,7 +25,7 @@ namespace bench
 {
 namespace
 {
-struct Options
+struct SurfaceOptions
 {
   std::string File;
   std::string Way = "file";
@@ -34,7 +34,7 @@ struct Options
   int Cache = 0; ///< MiB
 };
 
-std::unique_ptr<SurfaceMaker> Open(const Options& options)
+std::unique_ptr<SurfaceMaker> Open(const SurfaceOptions& options)
 {
   auto maker = MakeSurfaceMaker(options.Way, options.File, options.Array);
   if (maker->GetReader())
@@ -65,7 +65,7 @@ void AddSurface(Json::Value& json, vtkPolyData* surface, SurfaceMaker& maker)
   }
 }
 
-void MeasureOne(const Options& options)
+void MeasureOne(const SurfaceOptions& options)
 {
   std::unique_ptr<SurfaceMaker> maker;
   vtkSmartPointer<vtkPolyData> surface;
@@ -87,7 +87,7 @@ void MeasureOne(const Options& options)
     });
 }
 
-void MeasureRepeated(const Options& options)
+void MeasureRepeated(const SurfaceOptions& options)
 {
   std::unique_ptr<SurfaceMaker> maker;
   const double open = SecondsOf([&] { maker = Open(options); });
@@ -106,7 +106,7 @@ void MeasureRepeated(const Options& options)
 }
 
 /** The values that so large parts of the points' values are not above. */
-void PrintQuantiles(const Options& options)
+void PrintQuantiles(const SurfaceOptions& options)
 {
   const Grid grid = Load(options.File);
   vtkDataArray* const array = grid->GetPointData()->GetArray(options.Array.c_str());
@@ -135,8 +135,8 @@ void PrintQuantiles(const Options& options)
     });
 }
 
-CLI::App* AddCommand(
-  CLI::App& app, const char* name, const char* description, const std::shared_ptr<Options>& options)
+CLI::App* AddCommand(CLI::App& app, const char* name, const char* description,
+  const std::shared_ptr<SurfaceOptions>& options)
 {
   CLI::App* const command = app.add_subcommand(name, description);
   command->add_option("FILE", options->File, "A .vtu or .gtn file")->required();
@@ -144,7 +144,7 @@ CLI::App* AddCommand(
   return command;
 }
 
-void AddWays(CLI::App* command, const std::shared_ptr<Options>& options)
+void AddWays(CLI::App* command, const std::shared_ptr<SurfaceOptions>& options)
 {
   command->add_option("--values", options->Values, "Isovalues")->required();
   command->add_option("--way", options->Way, "How")
@@ -156,7 +156,7 @@ void AddWays(CLI::App* command, const std::shared_ptr<Options>& options)
 //------------------------------------------------------------------------------
 void AddSurface(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SurfaceOptions>();
   CLI::App* const one =
     AddCommand(app, "surface", "Time, bytes and memory from a file to its isosurfaces", options);
   AddWays(one, options);

@@ -29,7 +29,7 @@ namespace
 // Pixels of an image are means of so many squared.
 constexpr int Samples = 3;
 
-struct Options
+struct SurfaceCutsOptions
 {
   std::string File;
   std::vector<double> Errors{ 0.5, 1, 2, 4 };
@@ -43,7 +43,7 @@ struct Options
 class Flight
 {
 public:
-  explicit Flight(const Options& options)
+  explicit Flight(const SurfaceCutsOptions& options)
     : Size(options.Size)
     , Pipeline(MakeSurfacePipeline(options.File, options.Memory))
     , Mapper(Pipeline.GetOwnMapper())
@@ -137,7 +137,7 @@ double FindDifference(const std::vector<double>& one, const std::vector<double>&
 }
 
 /** The images of a place. */
-Json::Value MeasurePlace(Flight& flight, const Options& options, double time)
+Json::Value MeasurePlace(Flight& flight, const SurfaceCutsOptions& options, double time)
 {
   vtkGatunSurfaceMapper* const mapper = flight.GetMapper();
   Json::Value json;
@@ -181,7 +181,7 @@ Json::Value MeasurePlace(Flight& flight, const Options& options, double time)
   return json;
 }
 
-void Measure(const Options& options)
+void Measure(const SurfaceCutsOptions& options)
 {
   Flight flight(options);
   Json::Value places(Json::arrayValue);
@@ -202,7 +202,7 @@ void Measure(const Options& options)
 //------------------------------------------------------------------------------
 void AddSurfaceCuts(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SurfaceCutsOptions>();
   CLI::App* const command = app.add_subcommand("surface-cuts",
     "Images of a surface simplified for the view and everywhere alike, from far to near, beside "
     "those of the whole");

@@ -21,7 +21,7 @@ namespace bench
 {
 namespace
 {
-struct Options
+struct SurfaceDrawOptions
 {
   std::string File;
   std::string Array;
@@ -32,7 +32,7 @@ struct Options
   bool IsMoving = false;
 };
 
-SurfacePipeline MakePipeline(const Options& options)
+SurfacePipeline MakePipeline(const SurfaceDrawOptions& options)
 {
   SurfacePipeline made = MakeSurfacePipeline(options.File, options.Budget);
   if (auto* const own = made.GetOwnMapper())
@@ -45,7 +45,7 @@ SurfacePipeline MakePipeline(const Options& options)
   return made;
 }
 
-void Measure(const Options& options)
+void Measure(const SurfaceDrawOptions& options)
 {
   // What every image takes is there before.
   vtkNew<vtkRenderWindow> window;
@@ -120,7 +120,7 @@ void Measure(const Options& options)
 //------------------------------------------------------------------------------
 void AddSurfaceDraw(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SurfaceDrawOptions>();
   CLI::App* const command = app.add_subcommand("surface-draw",
     "Time and memory from a surface's file to its first image, and for the next ones");
   command->add_option("FILE", options->File, "A .gtn or .vtp file with a surface")->required();

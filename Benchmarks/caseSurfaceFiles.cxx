@@ -36,7 +36,7 @@ namespace bench
 {
 namespace
 {
-struct Options
+struct SurfaceFilesOptions
 {
   std::string Kind;
   std::size_t Triangles = 0;
@@ -169,7 +169,7 @@ void WriteVtp(vtkPolyData* surface, const std::string& file, int compressor)
   }
 }
 
-void Make(const Options& options)
+void Make(const SurfaceFilesOptions& options)
 {
   const bool isTextured = options.Kind == "textured";
   const Triangles surface = options.Kind == "scan" || isTextured
@@ -324,7 +324,7 @@ void Restore(const Optimized& from)
 }
 #endif
 
-void Run(const Options& options)
+void Run(const SurfaceFilesOptions& options)
 {
   vtkNew<vtkXMLPolyDataReader> input;
   input->SetFileName(options.In.c_str());
@@ -383,7 +383,7 @@ void Run(const Options& options)
 //------------------------------------------------------------------------------
 void AddMakeSurface(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SurfaceFilesOptions>();
   CLI::App* command =
     app.add_subcommand("make-surface", "Make a surface of triangles, as a raw .vtp file");
   command
@@ -402,7 +402,7 @@ void AddMakeSurface(CLI::App& app)
 //------------------------------------------------------------------------------
 void AddSurfaceFiles(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SurfaceFilesOptions>();
   CLI::App* command = app.add_subcommand("surface-files",
     "Sizes and times of loading of triangles as .gtn and .vtp, and by meshoptimizer with zstd. "
     "Leaves peers.obj in the folder.");

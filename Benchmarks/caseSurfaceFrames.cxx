@@ -26,7 +26,7 @@ namespace bench
 {
 namespace
 {
-struct Options
+struct SurfaceFramesOptions
 {
   std::string File;
   double Budget = 0.1;
@@ -44,7 +44,7 @@ struct Pipeline
   vtkSmartPointer<vtkPolyDataMapper> Moving;
 };
 
-Pipeline MakePipeline(const Options& options)
+Pipeline MakePipeline(const SurfaceFramesOptions& options)
 {
   Pipeline made{ MakeSurfacePipeline(options.File, options.Memory), nullptr };
   if (auto* const own = made.Whole.GetOwnMapper())
@@ -58,7 +58,7 @@ Pipeline MakePipeline(const Options& options)
 }
 
 /** The level of detail that ParaView makes of surfaces, and its seconds. */
-double MakeLevel(const Options& options, Pipeline& pipeline)
+double MakeLevel(const SurfaceFramesOptions& options, Pipeline& pipeline)
 {
   if (pipeline.Moving)
   {
@@ -94,7 +94,7 @@ void Place(vtkRenderer* renderer, double time)
   renderer->ResetCameraClippingRange();
 }
 
-void Measure(const Options& options)
+void Measure(const SurfaceFramesOptions& options)
 {
   constexpr double ratio = 1.25;
   constexpr double rateAtRest = 0.001;
@@ -173,7 +173,7 @@ void Measure(const Options& options)
 //------------------------------------------------------------------------------
 void AddSurfaceFrames(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SurfaceFramesOptions>();
   CLI::App* const command = app.add_subcommand("surface-frames",
     "Times of the frames of a camera path over a surface: a .gtn file just in time, or a .vtp file "
     "with ParaView's level of detail");

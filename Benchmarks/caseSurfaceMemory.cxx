@@ -22,7 +22,7 @@ namespace bench
 {
 namespace
 {
-struct Options
+struct SurfaceMemoryOptions
 {
   std::string File;
   std::string Array;
@@ -30,7 +30,7 @@ struct Options
   int Rounds = 5;
 };
 
-void MeasureWays(const Options& options)
+void MeasureWays(const SurfaceMemoryOptions& options)
 {
   const Grid grid = Load(options.File);
   std::vector<Operation> operations;
@@ -72,7 +72,7 @@ void AddStrips(Json::Value& json, const char* name, vtkPolyData* surface, double
   json[name]["loose"] = static_cast<std::uint64_t>(surface->GetNumberOfPolys());
 }
 
-void MeasureStrips(const Options& options)
+void MeasureStrips(const SurfaceMemoryOptions& options)
 {
   const auto maker = MakeSurfaceMaker("file", options.File, options.Array);
   vtkSmartPointer<vtkPolyData> triangles;
@@ -93,8 +93,8 @@ void MeasureStrips(const Options& options)
     });
 }
 
-CLI::App* AddCommand(
-  CLI::App& app, const char* name, const char* description, const std::shared_ptr<Options>& options)
+CLI::App* AddCommand(CLI::App& app, const char* name, const char* description,
+  const std::shared_ptr<SurfaceMemoryOptions>& options)
 {
   CLI::App* const command = app.add_subcommand(name, description);
   command->add_option("FILE", options->File, "A .vtu or .gtn file")->required();
@@ -107,7 +107,7 @@ CLI::App* AddCommand(
 //------------------------------------------------------------------------------
 void AddSurfaceMemory(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SurfaceMemoryOptions>();
   CLI::App* const ways =
     AddCommand(app, "surface-memory", "Time for isosurfaces of a mesh in memory", options);
   ways->add_option("--rounds", options->Rounds, "Rounds, after one to warm up")

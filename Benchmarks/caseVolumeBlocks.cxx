@@ -21,7 +21,7 @@ using gatun::HartleyLayout;
 using gatun::HartleyView;
 using gatun::test::ReferenceVolume;
 
-struct Options
+struct VolumeBlocksOptions
 {
   std::string File;
   std::uint32_t Block = 8;
@@ -35,7 +35,7 @@ struct Options
 struct Way
 {
   const char* Name;
-  gatun::HartleyOptions Options;
+  gatun::HartleyOptions VolumeBlocksOptions;
 };
 
 std::vector<Way> GetWays()
@@ -233,7 +233,7 @@ Sums Measure(const Volume& volume, const gatun::HartleySource& source,
   return all;
 }
 
-void PrintBlocks(const Options& options)
+void PrintBlocks(const VolumeBlocksOptions& options)
 {
   const Volume volume(options.File);
   const auto source = MakeSource(volume, options.Block, options.Rate);
@@ -252,7 +252,7 @@ void PrintBlocks(const Options& options)
         {
           continue;
         }
-        gatun::HartleyProjector projector(source, way.Options);
+        gatun::HartleyProjector projector(source, way.VolumeBlocksOptions);
         Json::Value wayJson;
         wayJson["way"] = way.Name;
         wayJson["views"] = Json::arrayValue;
@@ -280,7 +280,7 @@ void PrintBlocks(const Options& options)
 //------------------------------------------------------------------------------
 void AddVolumeBlocks(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VolumeBlocksOptions>();
   CLI::App* const command = app.add_subcommand(
     "volume-blocks", "Mean square errors of blocks' pictures against sums along rays");
   command->add_option("VOLUME", options->File, "A .vti or NIfTI file; head:SIZE, smooth:SIZE")

@@ -23,7 +23,7 @@ namespace
 {
 using gatun::HartleyOpacityModel;
 
-struct Options
+struct VolumeDrawOptions
 {
   std::string File;
   std::string Picture;
@@ -115,7 +115,7 @@ void WritePicture(const gatun::HartleyImage& picture, HartleyOpacityModel law, d
   writer->Write();
 }
 
-void DrawPicture(const Options& options)
+void DrawPicture(const VolumeDrawOptions& options)
 {
   if (options.Nodes.size() % 5 != 0 || options.Nodes.size() == 5 || options.Turns.size() != 3)
   {
@@ -169,7 +169,7 @@ void DrawPicture(const Options& options)
 //------------------------------------------------------------------------------
 void AddVolumeDraw(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VolumeDrawOptions>();
   CLI::App* const command =
     app.add_subcommand("volume-draw", "A picture of a volume, as a .png file");
   command->add_option("VOLUME", options->File, "A .vti or NIfTI file; head:SIZE, smooth:SIZE")

@@ -20,7 +20,7 @@ using gatun::HartleyOpacityModel;
 using gatun::HartleyView;
 using gatun::test::ReferenceVolume;
 
-struct Options
+struct VolumePicturesOptions
 {
   std::string File;
   std::vector<std::uint32_t> Blocks{ 2, 4, 8, 16, 32, 64 };
@@ -78,7 +78,7 @@ ReferencePicture Cast(const ReferenceVolume& volume, const HartleyView& view,
 }
 
 /** Mean square and largest differences, of values from 0 to 255. */
-class Difference
+class PixelDifference
 {
 public:
   void Add(double one, double other)
@@ -113,7 +113,7 @@ void Compare(Json::Value& json, const ReferencePicture& reference, const Hartley
   const gatun::HartleyImage xray = projector.Draw(view, shadings.XRay);
   const gatun::HartleyImage exponential = projector.Draw(view, shadings.Exponential);
   const gatun::HartleyImage linear = projector.Draw(view, shadings.Linear);
-  Difference samples, lines, gray, opacity, law, other;
+  PixelDifference samples, lines, gray, opacity, law, other;
   const double scale = 255 / reference.Largest;
   for (std::size_t i = 0; i < reference.Pixels.size(); ++i)
   {
@@ -140,7 +140,7 @@ void Compare(Json::Value& json, const ReferencePicture& reference, const Hartley
   other.Write(json, "linear");
 }
 
-void PrintPictures(const Options& options)
+void PrintPictures(const VolumePicturesOptions& options)
 {
   const Volume volume(options.File);
   const ReferenceVolume reference = volume.GetReference();
@@ -190,7 +190,7 @@ void PrintPictures(const Options& options)
 //------------------------------------------------------------------------------
 void AddVolumePictures(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VolumePicturesOptions>();
   CLI::App* const command = app.add_subcommand(
     "volume-pictures", "Mean square errors of whole pictures against voxel-by-voxel ray casting");
   command->add_option("VOLUME", options->File, "A .vti or NIfTI file; head:SIZE, smooth:SIZE")

@@ -23,7 +23,7 @@ namespace bench
 {
 namespace
 {
-struct Options
+struct VolumeRatesOptions
 {
   std::string File;
   std::string Scratch;
@@ -41,7 +41,7 @@ void AddPoint(
   json["worst"] = worst;
 }
 
-void AddGatun(Json::Value& json, const Volume& volume, const Options& options)
+void AddGatun(Json::Value& json, const Volume& volume, const VolumeRatesOptions& options)
 {
   json["gatun"] = Json::arrayValue;
   for (const std::uint32_t block : options.Blocks)
@@ -142,7 +142,7 @@ void AddZfp(Json::Value& json, const Volume& volume)
   }
 }
 
-void PrintRates(const Options& options)
+void PrintRates(const VolumeRatesOptions& options)
 {
   const Volume volume(options.File);
   PrintJson(
@@ -174,7 +174,7 @@ void PrintRates(const Options& options)
 //------------------------------------------------------------------------------
 void AddVolumeRates(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VolumeRatesOptions>();
   CLI::App* const command =
     app.add_subcommand("volume-rates", "Bits a voxel against errors, next to zfp");
   command->add_option("VOLUME", options->File, "A .vti or NIfTI file; head:SIZE, smooth:SIZE")

@@ -24,7 +24,7 @@ namespace
 {
 using gatun::HartleyOpacityModel;
 
-struct Options
+struct VolumeTimesOptions
 {
   std::string File;
   std::vector<std::uint32_t> Blocks{ 8 };
@@ -163,7 +163,8 @@ void AddDrawer(Json::Value& json, const Drawer& drawer, const Operation& operati
 }
 
 /** Of Gatun: each law of each block size and rate, and all of it is kept. */
-std::vector<Drawer> MakeOwn(const Volume& volume, const Options& options, Json::Value& json)
+std::vector<Drawer> MakeOwn(
+  const Volume& volume, const VolumeTimesOptions& options, Json::Value& json)
 {
   std::vector<Drawer> drawers;
   json["sources"] = Json::arrayValue;
@@ -230,7 +231,7 @@ std::vector<Drawer> MakeOwn(const Volume& volume, const Options& options, Json::
   return drawers;
 }
 
-void AddPeers(std::vector<Drawer>& drawers, const Volume& volume, const Options& options)
+void AddPeers(std::vector<Drawer>& drawers, const Volume& volume, const VolumeTimesOptions& options)
 {
   const auto plain = std::make_shared<PlainRaySum>(volume);
   const auto last = std::make_shared<std::vector<float>>();
@@ -265,7 +266,7 @@ void AddPeers(std::vector<Drawer>& drawers, const Volume& volume, const Options&
   }
 }
 
-void PrintTimes(const Options& options)
+void PrintTimes(const VolumeTimesOptions& options)
 {
   const Volume volume(options.File);
   PrintJson(
@@ -319,7 +320,7 @@ void PrintTimes(const Options& options)
 //------------------------------------------------------------------------------
 void AddVolumeTimes(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VolumeTimesOptions>();
   CLI::App* const command = app.add_subcommand(
     "volume-times", "Time for each view of a volume, from ever other sides, next to peers");
   command->add_option("VOLUME", options->File, "A .vti or NIfTI file; head:SIZE, smooth:SIZE")

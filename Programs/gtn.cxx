@@ -14,6 +14,7 @@
 #include "gatunError.h"
 #include "gatunVersion.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <unistd.h>

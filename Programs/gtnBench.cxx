@@ -22,6 +22,7 @@
 #include "vtkVersion.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ namespace gtn
 namespace
 {
 
-struct Options
+struct BenchOptions
 {
   std::string In;
   std::string Folder;
@@ -163,8 +164,8 @@ std::vector<Format> WriteFormats(
 }
 
 // All cases once, and again, so that what disturbs the machine disturbs all alike.
-std::vector<Case> LoadAll(
-  const std::vector<Format>& formats, const Options& options, vtkIdType cells, bool showProgress)
+std::vector<Case> LoadAll(const std::vector<Format>& formats, const BenchOptions& options,
+  vtkIdType cells, bool showProgress)
 {
   std::vector<Case> cases;
   for (const int threads : options.Threads)
@@ -225,7 +226,7 @@ void PrintText(const std::vector<Format>& formats, const std::vector<Case>& case
 }
 
 void PrintJson(const std::vector<Format>& formats, const std::vector<Case>& cases,
-  const Options& options, vtkUnstructuredGrid* grid)
+  const BenchOptions& options, vtkUnstructuredGrid* grid)
 {
   const auto cells = static_cast<double>(grid->GetNumberOfCells());
   Json::Value json;
@@ -269,7 +270,7 @@ void PrintJson(const std::vector<Format>& formats, const std::vector<Case>& case
   fmt::print("{}", JsonText(json));
 }
 
-void Bench(Options options, const Settings& settings)
+void Bench(BenchOptions options, const Settings& settings)
 {
   if (options.Threads.empty())
   {
@@ -311,7 +312,7 @@ void Bench(Options options, const Settings& settings)
 //------------------------------------------------------------------------------
 void AddBench(CLI::App& app, Settings& settings)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BenchOptions>();
   CLI::App* command = AddCommand(app, settings, "bench",
     "Measure the size, writing time and loading time of a mesh as .gtn and as .vtu (raw, zlib and "
     "LZMA).\n"

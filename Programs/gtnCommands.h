@@ -5,9 +5,8 @@
 
 // The subcommands, each in a file of its own.
 
+#include "gtnCommandLine.h"
 #include "gtnSettings.h"
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 

@@ -10,6 +10,7 @@
 #include "gtnText.h"
 #include "gtnTransfer.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -20,6 +20,7 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -37,7 +38,7 @@ namespace
 {
 constexpr std::size_t MostValues = 1000;
 
-struct Options
+struct ContourOptions
 {
   ContourInputOptions Input;
   std::string Out;
@@ -69,7 +70,7 @@ double ParseValue(const std::string& text)
 }
 
 /** Whether the options make sense together, and with the format. */
-void Check(const Options& options)
+void Check(const ContourOptions& options)
 {
   const SurfaceFormat format = GetSurfaceFormat(options.Out);
   const std::string extension = ExtensionOf(options.Out);
@@ -102,7 +103,7 @@ void Check(const Options& options)
 }
 
 /** Those given, or as many as wanted between the ends of the range: at these there is nothing. */
-std::vector<double> MakeValues(const Options& options, const ContourInput& input)
+std::vector<double> MakeValues(const ContourOptions& options, const ContourInput& input)
 {
   if (options.Number == 0)
   {
@@ -144,7 +145,7 @@ std::string ListOf(const std::vector<double>& values)
 }
 
 /** Says which of the values are not among those of the mesh, or that nothing has come of any. */
-void WarnOfNothing(const Options& options, const ContourInput& input,
+void WarnOfNothing(const ContourOptions& options, const ContourInput& input,
   const std::vector<double>& values, bool isEmpty)
 {
   const gatun::Range& range = input.GetRange();
@@ -179,7 +180,7 @@ void PrintRow(const std::string& title, const std::string& value)
   fmt::print("  {:<28} {:>14}\n", title, value);
 }
 
-void PrintStatistics(const Options& options, const ContourInput& input,
+void PrintStatistics(const ContourOptions& options, const ContourInput& input,
   const std::vector<double>& values, const Size& size, vtkGatunContour* contour, double seconds)
 {
   PrintRow("isovalues", Grouped(values.size()));
@@ -208,7 +209,7 @@ void PrintStatistics(const Options& options, const ContourInput& input,
   PrintRow("time", fmt::format("{:.3f} s", seconds));
 }
 
-void Contour(const Options& options, const Settings& settings)
+void Contour(const ContourOptions& options, const Settings& settings)
 {
   Check(options);
   CheckWritable(options.Out, options.Overwrite);
@@ -267,7 +268,7 @@ void Contour(const Options& options, const Settings& settings)
 //------------------------------------------------------------------------------
 void AddContour(CLI::App& app, Settings& settings)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ContourOptions>();
   CLI::App* command = AddCommand(app, settings, "contour",
     "Write isosurfaces of a mesh to a .gtn, .vtp, .vtk, .stl, .ply or .obj file. Only those chunks "
     "of a\n"

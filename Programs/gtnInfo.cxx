@@ -20,6 +20,7 @@
 
 #include "gatunCellShapes.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ namespace gtn
 namespace
 {
 
-struct Options
+struct InfoOptions
 {
   std::string File;
   bool Json = false;
@@ -332,7 +333,7 @@ Description Describe(const gatun::FileReader& file, bool verbose)
 }
 
 // Parses --histogram. The name is empty without it.
-HistogramOptions HistogramOf(const Options& options)
+HistogramOptions HistogramOf(const InfoOptions& options)
 {
   constexpr int most = 1000;
   HistogramOptions wanted;
@@ -355,7 +356,7 @@ HistogramOptions HistogramOf(const Options& options)
 //------------------------------------------------------------------------------
 void AddInfo(CLI::App& app, Settings& settings)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InfoOptions>();
   CLI::App* command = AddCommand(app, settings, "info",
     "Print the contents of a .gtn file and the sizes of its parts. Only the directory of the file "
     "is\n"

@@ -10,6 +10,7 @@
 
 #include "gatunVersion.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>

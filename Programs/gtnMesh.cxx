@@ -18,6 +18,8 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <CLI/CLI.hpp>
+
 #include <memory>
 
 namespace gtn
@@ -25,7 +27,7 @@ namespace gtn
 namespace
 {
 
-struct Options
+struct MeshOptions
 {
   std::string In;
   std::string Out;
@@ -34,7 +36,7 @@ struct Options
 };
 
 vtkSmartPointer<vtkUnstructuredGrid> Fill(
-  vtkPolyData* surface, const Options& options, const Settings& settings)
+  vtkPolyData* surface, const MeshOptions& options, const Settings& settings)
 {
   const auto* const library =
     static_cast<const Mesher*>(LoadLibrary("gtnTetGen", MesherName, "fill surfaces"));
@@ -48,7 +50,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Fill(
   return vtkUnstructuredGrid::SafeDownCast(mesher->GetOutputDataObject(0));
 }
 
-void Mesh(const Options& options, const Settings& settings)
+void Mesh(const MeshOptions& options, const Settings& settings)
 {
   if (!GTN_HAS_TETGEN)
   {
@@ -69,7 +71,7 @@ void Mesh(const Options& options, const Settings& settings)
 //------------------------------------------------------------------------------
 void AddMesh(CLI::App& app, Settings& settings)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MeshOptions>();
   CLI::App* command = AddCommand(app, settings, "mesh",
     GTN_HAS_TETGEN ? "Fill a closed surface with tetrahedra by TetGen (GNU AGPL)."
                    : "Fill a closed surface with tetrahedra (unavailable: built without TetGen).",

@@ -27,6 +27,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkNew.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -43,7 +44,7 @@ namespace gtn
 namespace
 {
 
-struct Options
+struct PackOptions
 {
   std::vector<std::string> In;
   std::string Out;
@@ -127,7 +128,7 @@ int OrderOf(const std::string& name)
                           : vtkGatunWriter::KEEP_NONE;
 }
 
-void SetLayers(vtkGatunWriter* writer, const Options& options)
+void SetLayers(vtkGatunWriter* writer, const PackOptions& options)
 {
   constexpr int most = 4096;
   const ArraySetting choice =
@@ -140,7 +141,7 @@ void SetLayers(vtkGatunWriter* writer, const Options& options)
                                                    : vtkGatunWriter::LAYERS_HISTOGRAM);
 }
 
-void PrintSizes(vtkGatunWriter* writer, const Options& options, bool verbose)
+void PrintSizes(vtkGatunWriter* writer, const PackOptions& options, bool verbose)
 {
   const gatun::FileReader file(options.Out);
   const auto cells = static_cast<double>(writer->GetWrittenCells());
@@ -195,7 +196,7 @@ void PrintSizes(vtkGatunWriter* writer, const Options& options, bool verbose)
   }
 }
 
-void Pack(const Options& options, const Settings& settings)
+void Pack(const PackOptions& options, const Settings& settings)
 {
   if (ExtensionOf(options.Out) != ".gtn")
   {
@@ -253,7 +254,7 @@ void Pack(const Options& options, const Settings& settings)
 //------------------------------------------------------------------------------
 void AddPack(CLI::App& app, Settings& settings)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PackOptions>();
   CLI::App* command = AddCommand(app, settings, "pack",
     "Write meshes or surfaces to a .gtn file, without loss unless told otherwise. Several files,\n"
     "or one file with time steps, become the time steps of one mesh. Blocks are merged;\n"

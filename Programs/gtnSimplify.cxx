@@ -24,6 +24,7 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <filesystem>
@@ -35,7 +36,7 @@ namespace gtn
 {
 namespace
 {
-struct Options
+struct SimplifyOptions
 {
   std::string In;
   std::string Out;
@@ -54,15 +55,15 @@ bool IsSurfaceName(const std::string& file)
 }
 
 /** Returns the reader if the file has a hierarchy and no option asks for another one. */
-vtkGatunMeshReader* FindHierarchy(const Input& input, const Options& options)
+vtkGatunMeshReader* FindHierarchy(const Input& input, const SimplifyOptions& options)
 {
   auto* const reader = vtkGatunMeshReader::SafeDownCast(input.GetSource());
   const bool isOther = options.Merges.AreGiven || options.FeatureAngle.has_value();
   return reader && reader->GetHasHierarchy() && !isOther ? reader : nullptr;
 }
 
-void RunSimplifier(
-  vtkGatunSimplify* simplifier, vtkPointSet* mesh, const Options& options, const Settings& settings)
+void RunSimplifier(vtkGatunSimplify* simplifier, vtkPointSet* mesh, const SimplifyOptions& options,
+  const Settings& settings)
 {
   Progress progress("simplifying", settings.ShowProgress);
   simplifier->SetInputData(mesh);
@@ -81,7 +82,7 @@ void PrintError(vtkPointSet* mesh, vtkGatunSimplify* simplifier, const Settings&
   }
 }
 
-void WriteTriangles(vtkPolyData* surface, const Options& options, const Settings& settings)
+void WriteTriangles(vtkPolyData* surface, const SimplifyOptions& options, const Settings& settings)
 {
   {
     Progress progress("writing", settings.ShowProgress);
@@ -95,7 +96,7 @@ void WriteTriangles(vtkPolyData* surface, const Options& options, const Settings
   }
 }
 
-void SimplifySurface(vtkPolyData* surface, const Options& options, const Settings& settings)
+void SimplifySurface(vtkPolyData* surface, const SimplifyOptions& options, const Settings& settings)
 {
   vtkNew<vtkGatunSimplify> simplifier;
   options.Target.Apply(simplifier.Get());
@@ -106,7 +107,8 @@ void SimplifySurface(vtkPolyData* surface, const Options& options, const Setting
   PrintError(surface, simplifier, settings);
 }
 
-void SimplifyGrid(vtkUnstructuredGrid* grid, const Options& options, const Settings& settings)
+void SimplifyGrid(
+  vtkUnstructuredGrid* grid, const SimplifyOptions& options, const Settings& settings)
 {
   vtkNew<vtkGatunSimplify> simplifier;
   options.Target.Apply(simplifier.Get());
@@ -116,7 +118,7 @@ void SimplifyGrid(vtkUnstructuredGrid* grid, const Options& options, const Setti
   PrintError(grid, simplifier, settings);
 }
 
-void SimplifyMesh(const Options& options, const Settings& settings)
+void SimplifyMesh(const SimplifyOptions& options, const Settings& settings)
 {
   const bool isOfSurfaces = IsSurfaceName(options.Out);
   if (!isOfSurfaces)
@@ -162,7 +164,7 @@ void SimplifyMesh(const Options& options, const Settings& settings)
 //------------------------------------------------------------------------------
 void AddSimplify(CLI::App& app, Settings& settings)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SimplifyOptions>();
   CLI::App* command = AddCommand(app, settings, "simplify",
     "Simplify a mesh by edge collapses that change the data and the boundary as little as "
     "possible.\n"

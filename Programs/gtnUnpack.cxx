@@ -20,6 +20,7 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <cstdint>
@@ -31,7 +32,7 @@ namespace gtn
 namespace
 {
 
-struct Options
+struct UnpackOptions
 {
   std::string In;
   std::string Out;
@@ -54,7 +55,7 @@ bool IsOneOfSurfaces(const std::string& extension)
   return extension == ".vtp" || extension == ".stl" || extension == ".ply" || extension == ".obj";
 }
 
-void UnpackSurface(vtkPolyData* surface, const Options& options, const Settings& settings)
+void UnpackSurface(vtkPolyData* surface, const UnpackOptions& options, const Settings& settings)
 {
   const std::string lost = ListLost(surface, options.Out);
   if (!lost.empty() && !settings.Quiet)
@@ -75,7 +76,7 @@ void UnpackSurface(vtkPolyData* surface, const Options& options, const Settings&
   }
 }
 
-void Unpack(const Options& options, const Settings& settings)
+void Unpack(const UnpackOptions& options, const Settings& settings)
 {
   const std::string extension = ExtensionOf(options.Out);
   const bool isOfGrids = extension == ".vtu" || extension == ".vtk";
@@ -111,7 +112,7 @@ void Unpack(const Options& options, const Settings& settings)
 //------------------------------------------------------------------------------
 void AddUnpack(CLI::App& app, Settings& settings)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<UnpackOptions>();
   CLI::App* command = AddCommand(app, settings, "unpack",
     "Write a .gtn file, or one of its time steps, to a .vtu or .vtk file. A surface is written to "
     "a\n"

@@ -24,6 +24,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <cstdint>
@@ -38,7 +39,7 @@ namespace gtn
 namespace
 {
 
-struct Options
+struct VerifyOptions
 {
   std::string File;
   std::vector<std::string> Originals;
@@ -72,7 +73,7 @@ std::string CompareData(
   return comparison.Compare(GridView(first), GridView(second), *place.Mesh, place.Step);
 }
 
-void CompareWithOriginals(const Options& options, const Settings& settings, FileSteps& file)
+void CompareWithOriginals(const VerifyOptions& options, const Settings& settings, FileSteps& file)
 {
   Input original(options.Originals, options.Input);
   Input packed({ options.File }, options.Input);
@@ -152,7 +153,7 @@ std::string ListChecked(const gatun::FileReader& file)
   return Joined(parts);
 }
 
-void Verify(const Options& options, const Settings& settings)
+void Verify(const VerifyOptions& options, const Settings& settings)
 {
   CheckReadable(options.File);
   FileSteps file(options.File);
@@ -179,7 +180,7 @@ void Verify(const Options& options, const Settings& settings)
 //------------------------------------------------------------------------------
 void AddVerify(CLI::App& app, Settings& settings)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VerifyOptions>();
   CLI::App* command = AddCommand(app, settings, "verify",
     "Check a .gtn file. All checksums are checked, and everything is decoded. With ORIGINAL, each\n"
     "time step is also compared with it, bit by bit, or by their bounds where values have\n"

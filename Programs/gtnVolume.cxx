@@ -7,6 +7,8 @@
 
 #include "gtnFailure.h"
 
+#include <CLI/CLI.hpp>
+
 namespace gtn
 {
 //------------------------------------------------------------------------------

@@ -17,6 +17,7 @@
 
 #include "gatunHartleyFile.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -29,7 +30,7 @@ namespace gtn
 namespace
 {
 
-struct Options
+struct VolumeInfoOptions
 {
   std::string File;
   bool Json = false;
@@ -174,7 +175,7 @@ Description Describe(const gatun::HartleyFile& file, bool isVerified, bool verbo
 //------------------------------------------------------------------------------
 void AddVolumeInfo(CLI::App& app, Settings& settings)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VolumeInfoOptions>();
   CLI::App* command = AddCommand(app, settings, "info",
     "Tell what a .ghv file holds. Only its directory is read, unless it is to be verified.",
     "  gtn volume info head.ghv\n"

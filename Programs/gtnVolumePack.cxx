@@ -23,6 +23,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <chrono>
@@ -34,7 +35,7 @@ namespace gtn
 namespace
 {
 
-struct Options
+struct VolumePackOptions
 {
   VolumeInputOptions Input;
   std::string Out;
@@ -43,8 +44,8 @@ struct Options
   bool Json = false;
 };
 
-void Print(
-  const Options& options, vtkImageData* volume, vtkGatunHartleyWriter* writer, double seconds)
+void Print(const VolumePackOptions& options, vtkImageData* volume, vtkGatunHartleyWriter* writer,
+  double seconds)
 {
   const int* const size = volume->GetDimensions();
   vtkDataArray* const array = volume->GetPointData()->GetScalars();
@@ -83,7 +84,7 @@ void Print(
     writer->GetMaximumError(), std::isfinite(psnr) ? fmt::format(", {:.1f} dB", psnr) : "");
 }
 
-void Pack(const Options& options, const Settings& settings)
+void Pack(const VolumePackOptions& options, const Settings& settings)
 {
   if (ExtensionOf(options.Out) != ".ghv")
   {
@@ -113,7 +114,7 @@ void Pack(const Options& options, const Settings& settings)
 //------------------------------------------------------------------------------
 void AddVolumePack(CLI::App& app, Settings& settings)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VolumePackOptions>();
   CLI::App* command = AddCommand(app, settings, "pack",
     "Write a regular volume as Hartley coefficients (.ghv). Slices are ordered by the numbers in\n"
     "their names.",

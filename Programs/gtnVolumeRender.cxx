@@ -24,6 +24,7 @@
 #include "vtkNew.h"
 #include "vtkVolumeProperty.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -42,7 +43,7 @@ static_assert(vtkGatunHartleyProjection::OPACITY_MODEL_XRAY == 0 &&
 constexpr std::array<const char*, 4> Methods{ "automatic", "basis", "slice", "voxels" };
 constexpr std::array<const char*, 2> Kernels{ "kaiser-bessel", "trilinear" };
 
-struct Options : ImageOptions
+struct VolumeRenderOptions : ImageOptions
 {
   VolumeInputOptions Input;
   CompressionOptions Compression;
@@ -57,7 +58,7 @@ struct Options : ImageOptions
   int Memory = 512;
 };
 
-void Check(const Options& options)
+void Check(const VolumeRenderOptions& options)
 {
   if ((options.Extinction || options.Zero) &&
     options.OpacityModel != vtkGatunHartleyProjection::OPACITY_MODEL_EXPONENTIAL)
@@ -70,7 +71,7 @@ void Check(const Options& options)
   }
 }
 
-void SetUp(vtkGatunHartleyProjection* projection, const Options& options,
+void SetUp(vtkGatunHartleyProjection* projection, const VolumeRenderOptions& options,
   const VolumeSource& source, vtkGatunDefaults* defaults)
 {
   projection->SetSize(options.Width, options.Height);
@@ -98,7 +99,7 @@ void SetUp(vtkGatunHartleyProjection* projection, const Options& options,
 
 // Connects a .ghv file as it is; encodes other volumes first.
 void Connect(vtkGatunHartleyProjection* projection, vtkGatunHartleyEncoder* encoder,
-  const Options& options, const Settings& settings, const VolumeSource& source)
+  const VolumeRenderOptions& options, const Settings& settings, const VolumeSource& source)
 {
   if (source.IsFile())
   {
@@ -115,7 +116,7 @@ void Connect(vtkGatunHartleyProjection* projection, vtkGatunHartleyEncoder* enco
   CheckMessages(source.GetFile(), settings.Quiet);
 }
 
-void Render(const Options& options, const Settings& settings)
+void Render(const VolumeRenderOptions& options, const Settings& settings)
 {
   Check(options);
   CheckImages(options);
@@ -176,7 +177,7 @@ void AddChoice(CLI::App* command, const char* option, const std::array<const cha
     ->group(group);
 }
 
-void AddOpacityModelOptions(CLI::App* command, Options& options)
+void AddOpacityModelOptions(CLI::App* command, VolumeRenderOptions& options)
 {
   const char* const group = "Colors and opacities";
   AddChoice(command, "--opacity-model", OpacityModels, options.OpacityModel,
@@ -205,7 +206,7 @@ void AddOpacityModelOptions(CLI::App* command, Options& options)
     ->group(group);
 }
 
-void AddMethodOptions(CLI::App* command, Options& options)
+void AddMethodOptions(CLI::App* command, VolumeRenderOptions& options)
 {
   const char* const group = "Method";
   command
@@ -273,7 +274,7 @@ void AddRotation(CLI::App* command, CameraOptions& camera)
 //------------------------------------------------------------------------------
 void AddVolumeRender(CLI::App& app, Settings& settings)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VolumeRenderOptions>();
   options->Camera.Parallel = true;
   CLI::App* command = AddCommand(app, settings, "render",
     "Draw a volume from its Hartley coefficients into a .png or .exr file. A .ghv file is drawn\n"

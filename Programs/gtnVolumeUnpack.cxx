@@ -15,6 +15,7 @@
 
 #include "vtkImageData.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <filesystem>
@@ -25,7 +26,7 @@ namespace gtn
 namespace
 {
 
-struct Options
+struct VolumeUnpackOptions
 {
   VolumeInputOptions Input;
   std::string In;
@@ -33,7 +34,7 @@ struct Options
   bool Overwrite = false;
 };
 
-void Unpack(const Options& options, const Settings& settings)
+void Unpack(const VolumeUnpackOptions& options, const Settings& settings)
 {
   const bool asSlices = HasNumber(options.Out);
   if (asSlices ? !IsSlice(options.Out) : !IsVolumeOutput(options.Out))
@@ -80,7 +81,7 @@ void Unpack(const Options& options, const Settings& settings)
 //------------------------------------------------------------------------------
 void AddVolumeUnpack(CLI::App& app, Settings& settings)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VolumeUnpackOptions>();
   CLI::App* command = AddCommand(app, settings, "unpack",
     "Write a .ghv file as voxels. Only .vti files keep all that is known of where the voxels are;\n"
     "slices keep nothing of it.",

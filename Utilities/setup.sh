@@ -226,7 +226,7 @@ run_test() {
     use_ccache
   fi
   find_paraview
-  build_vtk -DGATUN_BUILD_TESTING=ON
+  build_vtk -DGATUN_BUILD_TESTING=ON "-DGATUN_UNITY_BUILD=$in_ci"
   build_paraview paraview -DGATUN_BUILD_TESTING=ON
   if [ "$in_ci" = ON ]; then
     build_tree core-asan-ubsan -DGATUN_TEST_PARSERS_ONLY=ON
@@ -300,7 +300,7 @@ run_lint() {
     return
   fi
   # clang-tidy needs the compiler's options and the headers that CMake writes, but no build.
-  configure_tree release -DGATUN_BUILD_TESTING=ON
+  configure_tree release -DGATUN_BUILD_TESTING=ON -DGATUN_UNITY_BUILD=OFF
   say "Running clang-tidy"
   GATUN_BUILD=$build/release GATUN_JOBS=$jobs "$root/Utilities/lint.sh" --tidy
 }

@@ -14,6 +14,7 @@
 #include "vtkDataSet.h"
 #include "vtkPointData.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>

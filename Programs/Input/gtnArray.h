@@ -5,9 +5,9 @@
 
 // Which array of a mesh a subcommand takes, and which component of it.
 
-#include "gatunTypes.h"
+#include "gtnCommandLine.h"
 
-#include <CLI/CLI.hpp>
+#include "gatunTypes.h"
 
 #include <array>
 #include <cstddef>

@@ -13,6 +13,7 @@
 #include "vtkDataObject.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -5,9 +5,9 @@
 
 // Which time step of a mesh a subcommand takes.
 
-#include "vtkSmartPointer.h"
+#include "gtnCommandLine.h"
 
-#include <CLI/CLI.hpp>
+#include "vtkSmartPointer.h"
 
 #include <array>
 #include <optional>

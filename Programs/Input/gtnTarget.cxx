@@ -6,6 +6,7 @@
 #include "vtkGatunMeshReader.h"
 #include "vtkGatunSimplify.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 namespace gtn

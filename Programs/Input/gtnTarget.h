@@ -5,7 +5,7 @@
 
 // The simplification target of a mesh.
 
-#include <CLI/CLI.hpp>
+#include "gtnCommandLine.h"
 
 #include <array>
 #include <cstdint>

@@ -19,6 +19,7 @@
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>

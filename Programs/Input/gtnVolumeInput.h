@@ -5,11 +5,11 @@
 
 // Regular volumes of whatever format, and slices.
 
+#include "gtnCommandLine.h"
+
 #include "gatunTypes.h"
 
 #include "vtkSmartPointer.h"
-
-#include <CLI/CLI.hpp>
 
 #include <array>
 #include <optional>

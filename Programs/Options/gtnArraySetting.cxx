@@ -4,6 +4,7 @@
 
 #include "gtnFailure.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 
 // An array with settings behind its name, as in "T:8:uniform".
 
-#include <CLI/CLI.hpp>
+#include "gtnCommandLine.h"
 
 #include <optional>
 #include <string>

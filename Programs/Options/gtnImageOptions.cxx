@@ -16,6 +16,7 @@
 #include "vtkNew.h"
 #include "vtkVolumeProperty.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>

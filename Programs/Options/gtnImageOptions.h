@@ -6,12 +6,11 @@
 // The options of images of any kind.
 
 #include "gtnCamera.h"
+#include "gtnCommandLine.h"
 #include "gtnTransfer.h"
 #include "gtnWriteImage.h"
 
 #include "gatunTypes.h"
-
-#include <CLI/CLI.hpp>
 
 #include <optional>
 #include <string>

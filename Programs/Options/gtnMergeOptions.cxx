@@ -5,6 +5,8 @@
 
 #include "gtnFailure.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdlib>
 
 namespace gtn

@@ -3,7 +3,7 @@
 #ifndef gtnMergeOptions_h
 #define gtnMergeOptions_h
 
-#include <CLI/CLI.hpp>
+#include "gtnCommandLine.h"
 
 #include <map>
 #include <optional>

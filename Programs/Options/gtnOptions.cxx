@@ -3,6 +3,8 @@
 
 #include "gtnOptions.h"
 
+#include <CLI/CLI.hpp>
+
 namespace gtn
 {
 //------------------------------------------------------------------------------

@@ -5,9 +5,8 @@
 
 // Options that several subcommands have.
 
+#include "gtnCommandLine.h"
 #include "gtnInput.h"
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 

@@ -11,6 +11,7 @@
 
 #include "vtkGatunWriter.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 
 // How a mesh is packed piece by piece.
 
-#include <CLI/CLI.hpp>
+#include "gtnCommandLine.h"
 
 #include <string>
 

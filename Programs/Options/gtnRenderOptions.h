@@ -5,11 +5,10 @@
 
 // The options of gtn render.
 
+#include "gtnCommandLine.h"
 #include "gtnImageOptions.h"
 #include "gtnRenderInput.h"
 #include "gtnSettings.h"
-
-#include <CLI/CLI.hpp>
 
 #include <optional>
 #include <string>

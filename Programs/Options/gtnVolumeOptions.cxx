@@ -6,6 +6,7 @@
 #include "gtnParse.h"
 #include "gtnText.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <array>

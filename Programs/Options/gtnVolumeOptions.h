@@ -5,9 +5,9 @@
 
 // Options of the compression of volumes.
 
-#include "gatunHartleyVolume.h"
+#include "gtnCommandLine.h"
 
-#include <CLI/CLI.hpp>
+#include "gatunHartleyVolume.h"
 
 #include <string>
 

@@ -5,6 +5,7 @@
 
 // A mesh that is read by ranges of its points and cells.
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,6 +14,9 @@ class vtkUnstructuredGrid;
 
 namespace gtn
 {
+/** Points or cells that are read at once. */
+inline constexpr std::size_t BlockSize = 1 << 16;
+
 /** Consecutive cells of a mesh. */
 struct RangedCells
 {

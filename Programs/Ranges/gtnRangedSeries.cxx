@@ -21,8 +21,6 @@ namespace gtn
 namespace
 {
 
-constexpr std::size_t Block = 1 << 16;
-
 std::size_t SizeOfPoint(vtkUnstructuredGrid* grid)
 {
   return grid->GetPoints()
@@ -142,11 +140,11 @@ void RangedSeries::CheckMesh(std::size_t step, RangedMesh& mesh)
   const std::size_t size = SizeOfPoint(this->First->GetTemplate(0));
   bool isSame = mesh.GetNumberOfPoints() == points && mesh.GetNumberOfCells() == cells &&
     SizeOfPoint(mesh.GetTemplate(0)) == size;
-  std::vector<std::uint8_t> one(Block * size);
-  std::vector<std::uint8_t> other(Block * size);
-  for (std::uint64_t begin = 0; begin < points && isSame; begin += Block)
+  std::vector<std::uint8_t> one(BlockSize * size);
+  std::vector<std::uint8_t> other(BlockSize * size);
+  for (std::uint64_t begin = 0; begin < points && isSame; begin += BlockSize)
   {
-    const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(Block, points - begin));
+    const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(BlockSize, points - begin));
     this->First->ReadPoints(begin, count, one.data());
     mesh.ReadPoints(begin, count, other.data());
     isSame = one == other;
@@ -155,8 +153,8 @@ void RangedSeries::CheckMesh(std::size_t step, RangedMesh& mesh)
   RangedCells now;
   for (std::uint64_t begin = 0; begin < cells && isSame; begin += first.Types.size())
   {
-    this->First->ReadCells(begin, Block, first);
-    mesh.ReadCells(begin, Block, now);
+    this->First->ReadCells(begin, BlockSize, first);
+    mesh.ReadCells(begin, BlockSize, now);
     isSame = first.Types == now.Types && first.Sizes == now.Sizes && first.Points == now.Points &&
       first.FaceSizes == now.FaceSizes && first.Faces == now.Faces;
   }

@@ -32,9 +32,6 @@ namespace
 
 constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 
-// Points or cells that are read at once.
-constexpr std::size_t Block = 1 << 16;
-
 // What ranges of a mesh take while they are read, and the sample of its points.
 constexpr std::uint64_t ReadingBytes = 40 * MiB;
 
@@ -228,10 +225,10 @@ PointTree SpooledMesh::MakeTree(Work& work)
   vtkPoints* points = this->Mesh->GetTemplate(0)->GetPoints();
   std::vector<PointTree::Point> sample;
   std::vector<PointTree::Point> block;
-  std::vector<std::uint8_t> bytes(Block * this->CoordinateBytes);
-  for (std::size_t begin = 0; begin < count; begin += Block)
+  std::vector<std::uint8_t> bytes(BlockSize * this->CoordinateBytes);
+  for (std::size_t begin = 0; begin < count; begin += BlockSize)
   {
-    block.resize(std::min(Block, count - begin));
+    block.resize(std::min(BlockSize, count - begin));
     this->Mesh->ReadPoints(begin, block.size(), bytes.data());
     ToPoints(bytes, points->GetDataType(), block);
     for (std::size_t i = (stride - begin % stride) % stride; i < block.size(); i += stride)
@@ -255,10 +252,10 @@ void SpooledMesh::FindLeaves(PieceRouter& router, const PointTree& tree, Work& w
   const auto count = static_cast<std::size_t>(this->Mesh->GetNumberOfPoints());
   vtkPoints* points = this->Mesh->GetTemplate(0)->GetPoints();
   std::vector<PointTree::Point> block;
-  std::vector<std::uint8_t> bytes(Block * this->CoordinateBytes);
-  for (std::size_t begin = 0; begin < count; begin += Block)
+  std::vector<std::uint8_t> bytes(BlockSize * this->CoordinateBytes);
+  for (std::size_t begin = 0; begin < count; begin += BlockSize)
   {
-    block.resize(std::min(Block, count - begin));
+    block.resize(std::min(BlockSize, count - begin));
     this->Mesh->ReadPoints(begin, block.size(), bytes.data());
     ToPoints(bytes, points->GetDataType(), block);
     constexpr std::size_t share = 4096;
@@ -281,7 +278,7 @@ void SpooledMesh::WeighCells(PieceRouter& router, Work& work)
   RangedCells cells;
   for (std::uint64_t begin = 0; begin < this->Mesh->GetNumberOfCells(); begin += cells.Types.size())
   {
-    this->Mesh->ReadCells(begin, Block, cells);
+    this->Mesh->ReadCells(begin, BlockSize, cells);
     const std::span<const std::uint32_t> points(cells.Points);
     std::size_t at = 0;
     for (std::size_t i = 0; i < cells.Types.size(); ++i)
@@ -330,7 +327,7 @@ void SpooledMesh::SpoolCells(PieceRouter& router, Work& work)
   };
   for (std::uint64_t begin = 0; begin < this->Mesh->GetNumberOfCells(); begin += cells.Types.size())
   {
-    this->Mesh->ReadCells(begin, Block, cells);
+    this->Mesh->ReadCells(begin, BlockSize, cells);
     const std::span<const std::uint32_t> points(cells.Points);
     routes.clear();
     std::size_t at = 0;
@@ -468,15 +465,15 @@ void SpooledMesh::MarkShared()
   std::vector<SpoolCursor> cursors = this->MakeCursors();
   this->Shared = this->File.Open(this->FirstUnused, this->StreamBytes / 2);
   std::vector<std::vector<std::uint32_t>> points(this->FirstUnused);
-  std::vector<std::uint32_t> uses(Block);
+  std::vector<std::uint32_t> uses(BlockSize);
   std::vector<std::uint8_t> marks;
-  for (std::uint64_t begin = 0; begin < count; begin += Block)
+  for (std::uint64_t begin = 0; begin < count; begin += BlockSize)
   {
     std::fill(uses.begin(), uses.end(), 0);
     for (std::size_t p = 0; p < this->FirstUnused; ++p)
     {
       points[p].clear();
-      cursors[p].TakeBelow(begin + Block,
+      cursors[p].TakeBelow(begin + BlockSize,
         [&](std::uint32_t point)
         {
           points[p].push_back(static_cast<std::uint32_t>(point - begin));
@@ -518,8 +515,8 @@ SpooledMesh::SpooledArray SpooledMesh::Distribute(
     isPoints ? this->Mesh->GetNumberOfPoints() : this->Mesh->GetNumberOfCells();
   const SpooledArray array{ this->File.Open(pieces, this->StreamBytes / 2), tupleBytes };
   std::vector<SpoolCursor> points = isPoints ? this->MakeCursors() : std::vector<SpoolCursor>();
-  SpoolCursor routes(this->File, this->Routes, Block);
-  const auto block = std::clamp<std::size_t>(MostBlockBytes / tupleBytes, 1, Block);
+  SpoolCursor routes(this->File, this->Routes, BlockSize);
+  const auto block = std::clamp<std::size_t>(MostBlockBytes / tupleBytes, 1, BlockSize);
   std::vector<std::uint8_t> values(block * tupleBytes);
   for (std::uint64_t begin = 0; begin < count; begin += block)
   {

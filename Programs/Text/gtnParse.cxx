@@ -5,6 +5,7 @@
 
 #include "gtnText.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <cmath>

@@ -5,7 +5,7 @@
 
 // Numbers on the command line.
 
-#include <CLI/CLI.hpp>
+#include "gtnCommandLine.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 
 // What all subcommands share.
 
-#include <CLI/CLI.hpp>
+#include "gtnCommandLine.h"
 
 #include <string>
 
