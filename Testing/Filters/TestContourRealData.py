@@ -96,10 +96,11 @@ for file in files:
             sources.append((gc.open_file(path, SimplificationRatio=ratio),
                             gm.read(path, SimplificationRatio=ratio)))
     triangles = 0
-    for name, component in arrays:
+    for number, (name, component) in enumerate(arrays):
         values = [float(v) for v in np.quantile(scalars_of(grid, name, component), QUANTILES)]
         between = [v + 1e-4 * (values[-1] - values[0]) for v in values[1:-1]]
-        for source, mesh in sources:
+        # In memory, and from files of both kinds, with one ratio after the other.
+        for source, mesh in sources[:1] + sources[1 + number % 3::3]:
             for isovalues in (values[2:5], [between[2]], [values[0]], [values[-1]]):
                 triangles += check(source, mesh, name, component, isovalues)
         if np.isin(scalars_of(grid, name, component), between).any():
