@@ -191,6 +191,11 @@ build_vtk() {
   build_tree release "$@"
 }
 
+# Prints the option of CMake for tests: a build that is there keeps its tests; a new one goes without.
+keep_tests() {
+  [ -f "$build/$1/CMakeCache.txt" ] || printf '%s\n' -DGATUN_BUILD_TESTING=OFF
+}
+
 # build_paraview <preset> <cmake argument>...
 build_paraview() {
   local config
@@ -202,12 +207,7 @@ build_paraview() {
 
 run_demo() {
   install_packages "${packages_build[@]}" "${packages_window[@]}"
-  # An existing build keeps its tests; a new one goes without.
-  if [ -f "$build/release/CMakeCache.txt" ]; then
-    build_vtk
-  else
-    build_vtk -DGATUN_BUILD_TESTING=OFF
-  fi
+  build_vtk $(keep_tests release)
   GATUN_BUILD=$build/release exec "$root/Utilities/demo.sh" "$@"
 }
 
@@ -307,11 +307,7 @@ run_lint() {
 
 run_bench() {
   install_packages "${packages_build[@]}" "${packages_window[@]}" "${packages_bench[@]}"
-  if [ -f "$build/release/CMakeCache.txt" ]; then
-    build_vtk -DGATUN_BUILD_BENCHMARKS=ON
-  else
-    build_vtk -DGATUN_BUILD_BENCHMARKS=ON -DGATUN_BUILD_TESTING=OFF
-  fi
+  build_vtk -DGATUN_BUILD_BENCHMARKS=ON $(keep_tests release)
   GATUN_BUILD=$build/release exec "$root/Utilities/bench.sh" "$@"
 }
 
@@ -331,8 +327,8 @@ run_guide() {
   install_packages "${packages_build[@]}" "${packages_window[@]}" "${packages_guide[@]}" \
     "${packages_paraview[@]}"
   find_paraview
-  build_vtk
-  build_paraview paraview
+  build_vtk $(keep_tests release)
+  build_paraview paraview $(keep_tests paraview)
   GATUN_BUILD=$build/release exec "$root/Utilities/guide.sh" "$@"
 }
 
