@@ -191,9 +191,10 @@ build_vtk() {
   build_tree release "$@"
 }
 
-# Prints the option of CMake for tests: a build that is there keeps its tests; a new one goes without.
+# Sets $tests to options of CMake for a tree: one that is there keeps its tests; a new one goes without.
 keep_tests() {
-  [ -f "$build/$1/CMakeCache.txt" ] || printf '%s\n' -DGATUN_BUILD_TESTING=OFF
+  tests=()
+  [ -f "$build/$1/CMakeCache.txt" ] || tests=(-DGATUN_BUILD_TESTING=OFF)
 }
 
 # build_paraview <preset> <cmake argument>...
@@ -207,7 +208,8 @@ build_paraview() {
 
 run_demo() {
   install_packages "${packages_build[@]}" "${packages_window[@]}"
-  build_vtk $(keep_tests release)
+  keep_tests release
+  build_vtk "${tests[@]}"
   GATUN_BUILD=$build/release exec "$root/Utilities/demo.sh" "$@"
 }
 
@@ -307,7 +309,8 @@ run_lint() {
 
 run_bench() {
   install_packages "${packages_build[@]}" "${packages_window[@]}" "${packages_bench[@]}"
-  build_vtk -DGATUN_BUILD_BENCHMARKS=ON $(keep_tests release)
+  keep_tests release
+  build_vtk -DGATUN_BUILD_BENCHMARKS=ON "${tests[@]}"
   GATUN_BUILD=$build/release exec "$root/Utilities/bench.sh" "$@"
 }
 
@@ -327,8 +330,10 @@ run_guide() {
   install_packages "${packages_build[@]}" "${packages_window[@]}" "${packages_guide[@]}" \
     "${packages_paraview[@]}"
   find_paraview
-  build_vtk $(keep_tests release)
-  build_paraview paraview $(keep_tests paraview)
+  keep_tests release
+  build_vtk "${tests[@]}"
+  keep_tests paraview
+  build_paraview paraview "${tests[@]}"
   GATUN_BUILD=$build/release exec "$root/Utilities/guide.sh" "$@"
 }
 
