@@ -86,7 +86,7 @@ void MeshSection::AddGroups(const WriterPart& part)
   const auto first = static_cast<std::uint32_t>(part.Place.FirstChunk);
   for (const auto& [users, points] : part.Layout.SharedPoints)
   {
-    ChunkSet chunks = users;
+    ChunkGroup chunks = users;
     for (auto& chunk : chunks)
     {
       chunk += first;

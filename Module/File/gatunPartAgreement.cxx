@@ -25,7 +25,7 @@ std::size_t FindJoiner(const SkinRecord& use, std::size_t processes)
   return static_cast<std::size_t>(hash % processes);
 }
 
-void PutChunks(ByteWriter& out, const ChunkSet& chunks)
+void PutChunks(ByteWriter& out, const ChunkGroup& chunks)
 {
   out.PutVarint(chunks.size());
   for (const auto chunk : chunks)
@@ -34,9 +34,9 @@ void PutChunks(ByteWriter& out, const ChunkSet& chunks)
   }
 }
 
-ChunkSet GetChunks(ByteReader& in)
+ChunkGroup GetChunks(ByteReader& in)
 {
-  ChunkSet chunks(static_cast<std::size_t>(in.GetCount(1)));
+  ChunkGroup chunks(static_cast<std::size_t>(in.GetCount(1)));
   for (auto& chunk : chunks)
   {
     chunk = static_cast<std::uint32_t>(in.GetVarint());
@@ -338,7 +338,7 @@ void PartAgreement::ReturnJoins(SkinMerge& merge, SkinMerge& skins)
         out.Put(join->First);
         out.Put(join->Point);
         PutChunks(
-          out, join->Group == JoinRecord::Dropped ? ChunkSet() : merge.GetGroup(join->Group));
+          out, join->Group == JoinRecord::Dropped ? ChunkGroup() : merge.GetGroup(join->Group));
         messages[owner].insert(messages[owner].end(), out.Data.begin(), out.Data.end());
         bytes += out.Data.size();
         merge.NextJoin();

@@ -413,13 +413,13 @@ void PartWriter::Internals::ApplyJoins(const PartJoins& joins)
   {
     remove(points);
   }
-  std::map<ChunkSet, std::vector<std::uint32_t>> groups;
+  std::map<ChunkGroup, std::vector<std::uint32_t>> groups;
   for (auto& [users, points] : layout.SharedPoints)
   {
     remove(points);
     if (!points.empty())
     {
-      ChunkSet chunks = users;
+      ChunkGroup chunks = users;
       for (auto& chunk : chunks)
       {
         chunk += static_cast<std::uint32_t>(this->Part->Place.FirstChunk);

@@ -167,8 +167,8 @@ struct PlacedPoint
 void GroupShared(const MeshAccess& mesh, const std::vector<Use>& uses, Partition& out)
 {
   const auto box = FindBox(mesh);
-  std::map<ChunkSet, std::vector<PlacedPoint>> groups;
-  ChunkSet chunks;
+  std::map<ChunkGroup, std::vector<PlacedPoint>> groups;
+  ChunkGroup chunks;
   for (std::size_t i = 0; i < uses.size();)
   {
     const auto point = uses[i].Point;

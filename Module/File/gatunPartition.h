@@ -29,7 +29,7 @@ struct Partition
   std::vector<std::vector<std::uint32_t>> OwnPoints;
 
   // The points that two or more chunks use, for each set of chunks, by Morton code.
-  std::map<ChunkSet, std::vector<std::uint32_t>> SharedPoints;
+  std::map<ChunkGroup, std::vector<std::uint32_t>> SharedPoints;
 
   std::vector<std::uint32_t> UnusedPoints; // ascending
 

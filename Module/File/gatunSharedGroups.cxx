@@ -14,7 +14,7 @@ namespace
 // Smaller groups are stored together with others of the same first chunk.
 constexpr std::int64_t LargeGroup = 256;
 
-void AddGroup(BlockEntry& block, const ChunkSet& chunks, std::int64_t points)
+void AddGroup(BlockEntry& block, const ChunkGroup& chunks, std::int64_t points)
 {
   block.Points += static_cast<std::uint64_t>(points);
   if (block.Points >= std::uint64_t{ 1 } << 32)
@@ -26,7 +26,7 @@ void AddGroup(BlockEntry& block, const ChunkSet& chunks, std::int64_t points)
 }
 
 //------------------------------------------------------------------------------
-void SharedGroups::Add(const ChunkSet& chunks, std::int64_t points)
+void SharedGroups::Add(const ChunkGroup& chunks, std::int64_t points)
 {
   const auto group = this->Points.try_emplace(chunks, 0).first;
   group->second += points;
@@ -54,7 +54,7 @@ void SharedGroups::Put(ByteWriter& out, std::uint32_t firstChunk) const
 //------------------------------------------------------------------------------
 void SharedGroups::Add(ByteReader& in)
 {
-  ChunkSet chunks;
+  ChunkGroup chunks;
   for (auto count = in.GetCount(1); count > 0; --count)
   {
     chunks.resize(static_cast<std::size_t>(in.GetCount(1)));

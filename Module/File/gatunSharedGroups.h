@@ -13,14 +13,14 @@
 namespace gatun
 {
 /** Two or more chunks, ascending. */
-using ChunkSet = std::vector<std::uint32_t>;
+using ChunkGroup = std::vector<std::uint32_t>;
 
 /** The number of shared points of each set of chunks in a file. */
 class SharedGroups
 {
 public:
   /** Adds points to a set, or removes them if points is negative. */
-  void Add(const ChunkSet& chunks, std::int64_t points);
+  void Add(const ChunkGroup& chunks, std::int64_t points);
 
   /** The groups for another process, with the given number added to those of chunks. */
   void Put(ByteWriter& out, std::uint32_t firstChunk) const;
@@ -34,7 +34,7 @@ public:
   std::vector<BlockEntry> MakeBlocks() const;
 
 private:
-  std::map<ChunkSet, std::int64_t> Points;
+  std::map<ChunkGroup, std::int64_t> Points;
 };
 }
 

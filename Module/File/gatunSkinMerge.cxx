@@ -67,7 +67,7 @@ void SkinMerge::Join(std::size_t parts, SharedGroups& groups)
 /** Joins points of different parts, in the order of the parts. */
 void SkinMerge::JoinEqual(const std::vector<Member>& members, SharedGroups& groups)
 {
-  ChunkSet chunks; // ascending, because those of each part follow those of the parts before
+  ChunkGroup chunks; // ascending, because those of each part follow those of the parts before
   const Member* first = nullptr;
   bool isOfSeveralParts = false;
   for (const auto& member : members)
@@ -112,7 +112,7 @@ void SkinMerge::Drop(const Member& member)
 }
 
 //------------------------------------------------------------------------------
-std::uint32_t SkinMerge::FindGroup(const ChunkSet& chunks)
+std::uint32_t SkinMerge::FindGroup(const ChunkGroup& chunks)
 {
   const auto [found, isNew] =
     this->GroupNumbers.try_emplace(chunks, static_cast<std::uint32_t>(this->Groups.size()));

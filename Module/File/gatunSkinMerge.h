@@ -112,13 +112,13 @@ public:
   PartJoins Take(std::uint32_t part);
 
   /** The chunks of a group of points of several parts. */
-  const ChunkSet& GetGroup(std::uint32_t group) const { return *this->Groups[group]; }
+  const ChunkGroup& GetGroup(std::uint32_t group) const { return *this->Groups[group]; }
 
   const JoinCounts& GetCounts() const { return this->Counts; }
   std::size_t GetNumberOfGroups() const { return this->Groups.size(); }
 
   /** The number of a group, which becomes known if it is not. */
-  std::uint32_t FindGroup(const ChunkSet& chunks);
+  std::uint32_t FindGroup(const ChunkGroup& chunks);
 
   /** The next joined point in place of Take, for the process that has its part, or null. */
   const JoinRecord* GetJoin() const { return this->Joins.Get(); }
@@ -145,7 +145,7 @@ private:
     std::uint32_t Part = 0;
     std::uint32_t Point = 0;
     std::uint64_t Morton = 0;
-    ChunkSet Chunks; // of that part
+    ChunkGroup Chunks; // of that part
   };
 
   void JoinEqual(const std::vector<Member>& members, SharedGroups& groups);
@@ -153,8 +153,8 @@ private:
 
   SpillSorter<SkinRecord> Skins;
   SpillSorter<JoinRecord> Joins;
-  std::map<ChunkSet, std::uint32_t> GroupNumbers;
-  std::vector<const ChunkSet*> Groups;
+  std::map<ChunkGroup, std::uint32_t> GroupNumbers;
+  std::vector<const ChunkGroup*> Groups;
   JoinCounts Counts;
 };
 }

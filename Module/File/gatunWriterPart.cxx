@@ -9,7 +9,7 @@ namespace gatun
 {
 //------------------------------------------------------------------------------
 void WriterPart::PlaceShared(
-  const MeshTable& table, const std::map<ChunkSet, std::vector<std::uint32_t>>& groups)
+  const MeshTable& table, const std::map<ChunkGroup, std::vector<std::uint32_t>>& groups)
 {
   const auto add = [&](const SharedGroup& group)
   {

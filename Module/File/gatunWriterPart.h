@@ -52,7 +52,7 @@ public:
   /** Makes the list of shared points once the blocks of the file are known. groups: the points of
    * each set of chunks of the file, of which at least one is a chunk of this part. */
   void PlaceShared(
-    const MeshTable& table, const std::map<ChunkSet, std::vector<std::uint32_t>>& groups);
+    const MeshTable& table, const std::map<ChunkGroup, std::vector<std::uint32_t>>& groups);
 
   /** The points of a block that this part writes. block: 0 is the first one of this part. */
   std::span<const std::uint32_t> GetBlockPoints(const MeshTable& table, std::size_t block) const;

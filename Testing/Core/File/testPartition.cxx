@@ -144,7 +144,7 @@ TEST(Partition, FindsOwnSharedAndUnusedPoints)
       }
     }
     std::vector<std::vector<std::uint32_t>> own(parts.GetChunkCount());
-    std::map<ChunkSet, std::set<std::uint32_t>> shared;
+    std::map<ChunkGroup, std::set<std::uint32_t>> shared;
     std::vector<std::uint32_t> unused;
     for (std::uint32_t p = 0; p < users.size(); ++p)
     {
@@ -193,13 +193,13 @@ TEST(SharedGroups, PutsSmallGroupsOfAChunkIntoOneBlock)
   const auto blocks = groups.MakeBlocks();
   ASSERT_EQ(blocks.size(), 3u);
   EXPECT_EQ(blocks[0].Points, 300u);
-  EXPECT_EQ(blocks[0].Groups[0].Chunks, (ChunkSet{ 0, 1, 2 }));
+  EXPECT_EQ(blocks[0].Groups[0].Chunks, (ChunkGroup{ 0, 1, 2 }));
   EXPECT_EQ(blocks[1].Points, 260u);
   ASSERT_EQ(blocks[1].Groups.size(), 2u);
-  EXPECT_EQ(blocks[1].Groups[0].Chunks, (ChunkSet{ 0, 1 }));
+  EXPECT_EQ(blocks[1].Groups[0].Chunks, (ChunkGroup{ 0, 1 }));
   EXPECT_EQ(blocks[1].Groups[1].Points, 255u);
   EXPECT_EQ(blocks[2].Points, 259u);
-  EXPECT_EQ(blocks[2].Groups[0].Chunks, (ChunkSet{ 1, 3 }));
+  EXPECT_EQ(blocks[2].Groups[0].Chunks, (ChunkGroup{ 1, 3 }));
 }
 
 TEST(LocalIds, NumbersPointsAsTheyCome)

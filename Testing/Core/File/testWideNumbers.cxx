@@ -65,10 +65,10 @@ void WriteWide(const std::string& path, const TestMesh& mesh, std::uint8_t keep)
   state.NumberOfCells += ClaimedCells;
   state.LinkGroups();
   ClaimChunks(state);
-  std::map<ChunkSet, std::vector<std::uint32_t>> groups;
+  std::map<ChunkGroup, std::vector<std::uint32_t>> groups;
   for (const auto& [users, points] : part.Layout.SharedPoints)
   {
-    ChunkSet chunks = users;
+    ChunkGroup chunks = users;
     std::for_each(chunks.begin(), chunks.end(), [](auto& chunk) { chunk += Claimed; });
     groups[chunks] = points;
   }

@@ -30,7 +30,7 @@ inline std::vector<Vector> GetTurns()
   return turns;
 }
 
-struct Difference
+struct PixelDifference
 {
   double Largest = 0;
   double Mean = 0; // root of the mean square

@@ -150,15 +150,15 @@ inline std::vector<unsigned char> ReadVoxels(const HartleyFile& file)
 }
 
 /** How far voxels are from those of a volume. */
-struct Difference
+struct VoxelDifference
 {
   double RootMeanSquare = 0;
   double Largest = 0;
 };
 
-inline Difference Compare(const SampleVolume& volume, const std::vector<unsigned char>& voxels)
+inline VoxelDifference Compare(const SampleVolume& volume, const std::vector<unsigned char>& voxels)
 {
-  Difference difference;
+  VoxelDifference difference;
   WithComponent(volume.Input.Type, volume.Data.data(), 1, 0,
     [&](auto&& expected)
     {

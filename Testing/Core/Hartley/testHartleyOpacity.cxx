@@ -39,7 +39,7 @@ TEST(HartleyOpacity, ExponentialLawIsExact)
         << "block " << block << " turns " << turns[0] << " " << turns[1] << " " << turns[2]);
       const auto view = MakeTurnedView(volume.Size, turns, 61, 1);
       const auto image = projector.Draw(view, shading);
-      Difference opacity;
+      PixelDifference opacity;
       ForEachPixel(view,
         [&](std::size_t i, const Vector& point)
         {
@@ -83,7 +83,7 @@ TEST(HartleyOpacity, ScatteredSpotsAreDrawn)
       const auto image = projector.Draw(view, gray);
       const auto other = projector.Draw(view, colored);
       const auto summed = sums.Draw(view, gray);
-      Difference opacity;
+      PixelDifference opacity;
       ForEachPixel(view,
         [&](std::size_t i, const Vector& point)
         {
@@ -116,7 +116,7 @@ TEST(HartleyOpacity, ExponentialLawCountsFromZero)
     HartleyProjector projector(MakeSource(volume.Values, volume.Size, block));
     const auto view = MakeTurnedView(volume.Size, { 0.1, 0.2, 0.3 }, 31, 1);
     const auto image = projector.Draw(view, shading);
-    Difference opacity;
+    PixelDifference opacity;
     ForEachPixel(view,
       [&](std::size_t i, const Vector& point)
       {
@@ -149,7 +149,7 @@ TEST(HartleyOpacity, TransferFunctionComesCloserWithSmallerBlocks)
       shading.Last = static_cast<double>(*most);
       HartleyProjector projector(MakeSource(volume.Values, volume.Size, block));
       const auto image = projector.Draw(view, shading);
-      Difference difference;
+      PixelDifference difference;
       ForEachPixel(view,
         [&](std::size_t i, const Vector& point)
         {

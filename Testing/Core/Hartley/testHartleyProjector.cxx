@@ -22,7 +22,7 @@ namespace
 using Triple = HartleyLayout::Triple;
 
 /** How far images of blocks are from integrals along the same rays, in parts of the largest. */
-Difference CompareBlocks(const Phantom<std::uint8_t>& volume, std::uint32_t blockSize,
+PixelDifference CompareBlocks(const Phantom<std::uint8_t>& volume, std::uint32_t blockSize,
   const Vector& turns, const HartleyOptions& options)
 {
   const auto source = MakeSource(volume.Values, volume.Size, blockSize);
@@ -62,7 +62,7 @@ Difference CompareBlocks(const Phantom<std::uint8_t>& volume, std::uint32_t bloc
     }
     EXPECT_EQ(number, images.size());
   }
-  Difference difference;
+  PixelDifference difference;
   for (const auto& [found, expected] : pixels)
   {
     difference.Add(found / most, expected / most);
@@ -163,7 +163,7 @@ void CompareXRays(HartleyMethod method, const std::vector<std::uint32_t>& blocks
         << "block " << block << " turns " << turns[0] << " " << turns[1] << " " << turns[2]);
       const auto view = MakeTurnedView(volume.Size, turns, 71, 1.1);
       const auto image = projector.Draw(view, {});
-      Difference sums, samples;
+      PixelDifference sums, samples;
       double most = 0;
       ForEachPixel(view,
         [&](std::size_t i, const Vector& point)
@@ -220,7 +220,7 @@ TEST(HartleyProjector, AnyParallelView)
   {
     HartleyProjector projector(MakeSource(volume.Values, volume.Size, block));
     const auto image = projector.Draw(view, {});
-    Difference sums;
+    PixelDifference sums;
     double most = 0;
     ForEachPixel(view,
       [&](std::size_t i, const Vector& point)

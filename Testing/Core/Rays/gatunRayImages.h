@@ -146,7 +146,7 @@ inline Image Render(const ReferenceMesh& mesh, const Viewer& viewer, const Setti
 
 /** How far two images are apart: pixels that differ by more than 1.5 / 255, at most, and on
  * average. */
-struct Difference
+struct ImageDifference
 {
   std::size_t Bad = 0;
   std::size_t BadDepths = 0;
@@ -155,10 +155,10 @@ struct Difference
   double Lit = 0; // how many pixels show anything
 };
 
-inline Difference Compare(
+inline ImageDifference Compare(
   const Image& image, const std::vector<ReferencePixel>& reference, double sampleDistance)
 {
-  Difference result;
+  ImageDifference result;
   for (std::size_t i = 0; i < reference.size(); ++i)
   {
     double most = 0;
@@ -185,7 +185,7 @@ inline Difference Compare(
  * have a sample that is within rounding of their face; and a ray within rounding of an edge may see
  * the tetrahedron or not, whose color is then that of nothing. Returns the number of such pixels,
  * for the caller to limit. */
-inline std::size_t ExpectAsDefined(const Difference& difference, RayMode mode, bool withDepth)
+inline std::size_t ExpectAsDefined(const ImageDifference& difference, RayMode mode, bool withDepth)
 {
   const bool sampled = mode == RayMode::Sampled;
   EXPECT_LE(difference.Mean, sampled ? 1e-5 : 0.05 / 255);
