@@ -32,7 +32,8 @@ KINDS = {
         each. It must have as many open descriptors and about as much memory at the end as after the first
         tenth."""),
     "asan-ubsan": ("AddressSanitizer and UndefinedBehaviorSanitizer", "All tests of the build with these."),
-    "tsan": ("ThreadSanitizer", "All tests of the build with it."),
+    "tsan": ("ThreadSanitizer", """All tests of the build with it, but those of the core
+        that damage thousands of files."""),
 }
 
 
