@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 """The documentation: pages and README's table follow from their results, other texts have no measured
-numbers, links and images resolve, and the map of the core is complete."""
+numbers, links and images resolve, the map of the core is complete, and the code, the specification and
+the golden files agree on the newest version of the format."""
 
 import pathlib
 import re
@@ -93,6 +94,23 @@ def check_map():
         report(file, f"{unit} is in the map of the core, but not in Module")
 
 
+def check_version():
+    header = (ROOT / "Module" / "Support" / "gatunVersion.h").read_text(encoding="utf-8")
+    newest = ".".join(re.search(rf"#define GATUN_FORMAT_VERSION_{part} (\d+)", header)[1]
+                      for part in ("MAJOR", "MINOR"))
+    for name, pattern in (("format.md", r"^Format version (\d+\.\d+)\."),
+                          ("format-changelog.md", r"^## (\d+\.\d+)$")):
+        file = ROOT / "Documentation" / name
+        found = re.search(pattern, file.read_text(encoding="utf-8"), flags=re.MULTILINE)
+        if not found or found[1] != newest:
+            report(file, f"the newest version is not {newest}, that of gatunVersion.h")
+    golden = ROOT / "Testing" / "Data" / "Golden"
+    versions = [[int(part) for part in re.findall(r"\d+", folder.name)]
+                for folder in golden.glob("v*.*")]
+    if max(versions) != [int(part) for part in newest.split(".")]:
+        report(golden, f"there is nothing of version {newest}")
+
+
 def main():
     for file in generatedParts.find_differing():
         report(file, "differs from its results.json; Utilities/bench.sh --pages writes it again")
@@ -104,6 +122,7 @@ def main():
     for file in documents():
         check_links(file)
     check_map()
+    check_version()
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     if readme.count("\n") >= 100:
         report(ROOT / "README.md", "has 100 lines or more")
