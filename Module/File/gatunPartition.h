@@ -6,7 +6,6 @@
 
 // Partitions a mesh into chunks and finds the points that they share.
 
-#include "gatunExport.h" // For export macro
 #include "gatunLayerPartition.h"
 #include "gatunMeshAccess.h"
 #include "gatunSharedGroups.h"
