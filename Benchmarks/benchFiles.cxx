@@ -3,9 +3,6 @@
 
 #include "benchFiles.h"
 
-#include "benchCases.h"
-
-#include "gatunParallel.h"
 #include "vtkGatunReader.h"
 #include "vtkGatunWriter.h"
 
@@ -89,9 +86,8 @@ Grid LoadWith(const std::string& file)
 //------------------------------------------------------------------------------
 const std::vector<Format>& GetFormats()
 {
-  static const std::vector<Format> formats{ { "gtn", false, true }, { "vtu-raw", false, true },
-    { "vtu-zlib", false, true }, { "vtu-lzma", true, true }, { "vtu-zlib-best", true, false },
-    { "vtu-lzma-best", true, false } };
+  static const std::vector<Format> formats{ { "gtn", false }, { "gtn-fast", false },
+    { "vtu-raw", false }, { "vtu-zlib", false }, { "vtu-lzma", true }, { "vtu-lzma-best", true } };
   return formats;
 }
 
@@ -106,6 +102,7 @@ void Write(const Format& format, vtkUnstructuredGrid* grid, const std::string& f
   vtkNew<vtkGatunWriter> writer;
   writer->SetFileName(file.c_str());
   writer->SetInputData(grid);
+  writer->SetFastArrays(format.Name == "gtn-fast");
   if (!writer->Write())
   {
     throw Failure(file, "cannot be written");
@@ -117,24 +114,5 @@ Grid Load(const std::string& file)
 {
   return file.ends_with(".gtn") ? LoadWith<vtkGatunReader>(file)
                                 : LoadWith<vtkXMLUnstructuredGridReader>(file);
-}
-
-//------------------------------------------------------------------------------
-void PrintTimes(const std::vector<Operation>& operations, std::uint64_t tets)
-{
-  PrintJson(
-    [&](Json::Value& json)
-    {
-      json["threads"] = gatun::GetNumberOfThreads();
-      json["tets"] = tets;
-      json["files"] = Json::arrayValue;
-      for (const Operation& operation : operations)
-      {
-        Json::Value fileJson;
-        fileJson["format"] = operation.Name;
-        AddTimes(fileJson, operation);
-        json["files"].append(fileJson);
-      }
-    });
 }
 }

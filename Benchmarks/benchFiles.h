@@ -19,9 +19,8 @@ struct Format
 {
   std::string Name; ///< gtn, vtu-raw, vtu-zlib, ...
   bool IsSlow;      ///< to write, so once is enough
-  bool IsLoaded;    ///< among those whose loading is measured
 
-  bool IsGatun() const { return this->Name == "gtn"; }
+  bool IsGatun() const { return this->Name.starts_with("gtn"); }
   std::string GetFile(const std::string& folder) const
   {
     return folder + "/" + this->Name + (this->IsGatun() ? ".gtn" : ".vtu");
@@ -29,8 +28,8 @@ struct Format
 };
 
 /**
- * gtn; vtu-raw, vtu-zlib and vtu-lzma as VTK writes them if told nothing else (appended, not in
- * base64); vtu-zlib-best and vtu-lzma-best: level 9, 32-bit ids, blocks of 32 MiB.
+ * gtn with default settings, gtn-fast with FastArrays; vtu-raw, vtu-zlib and vtu-lzma with VTK's
+ * default settings (appended, not in base64); vtu-lzma-best: level 9, 32-bit ids, blocks of 32 MiB.
  */
 const std::vector<Format>& GetFormats();
 
@@ -38,9 +37,6 @@ void Write(const Format& format, vtkUnstructuredGrid* grid, const std::string& f
 
 /** Reads a .gtn or .vtu file as a program would that knows nothing of it. Throws Failure. */
 Grid Load(const std::string& file);
-
-/** Prints what was timed for the formats of a mesh of so many tetrahedra, as JSON. */
-void PrintTimes(const std::vector<Operation>& operations, std::uint64_t tets);
 }
 
 #endif

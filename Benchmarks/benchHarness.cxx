@@ -4,14 +4,8 @@
 #include "benchHarness.h"
 
 #include <chrono>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
-
-#if defined(__unix__) || defined(__APPLE__)
-#include <fcntl.h>
-#include <unistd.h>
-#endif
 
 namespace bench
 {
@@ -50,10 +44,7 @@ void RunInterleaved(std::vector<Operation>& operations, int rounds)
       Operation& operation = operations[round % 2 == 0 ? i : operations.size() - 1 - i];
       if (round < operation.MostRounds)
       {
-        operation.Prepare();
-        const std::clock_t before = std::clock();
         operation.Seconds.push_back(SecondsOf(operation.Run));
-        operation.CpuSeconds.push_back(static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
       }
     }
   }
@@ -64,18 +55,9 @@ void WarmUpAndRunInterleaved(std::vector<Operation>& operations, int rounds)
 {
   for (Operation& operation : operations)
   {
-    operation.Prepare();
     operation.First = SecondsOf(operation.Run);
   }
   RunInterleaved(operations, rounds);
-}
-
-//------------------------------------------------------------------------------
-void AddTimes(Json::Value& json, const Operation& operation)
-{
-  json["first"] = operation.First;
-  AddList(json, "seconds", operation.Seconds);
-  AddList(json, "cpuSeconds", operation.CpuSeconds);
 }
 
 //------------------------------------------------------------------------------
@@ -118,26 +100,5 @@ void AddCost(Json::Value& json, const Cost& cost)
 std::uint64_t FileSize(const std::string& file)
 {
   return std::filesystem::file_size(file);
-}
-
-//------------------------------------------------------------------------------
-void Evict(const std::string& file)
-{
-#if defined(POSIX_FADV_DONTNEED)
-  const int handle = ::open(file.c_str(), O_RDONLY);
-  // Pages that have not been written to the disk cannot be removed.
-  const bool done =
-    handle >= 0 && ::fsync(handle) == 0 && ::posix_fadvise(handle, 0, 0, POSIX_FADV_DONTNEED) == 0;
-  if (handle >= 0)
-  {
-    ::close(handle);
-  }
-  if (!done)
-  {
-    throw Failure(file, "cannot be removed from the page cache");
-  }
-#else
-  throw Failure(file, "cannot be removed from the page cache on this system");
-#endif
 }
 }

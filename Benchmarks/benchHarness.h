@@ -27,8 +27,6 @@ struct Operation
   int MostRounds = 1000; ///< for what is too slow to be run as often as the others
   double First = 0;      ///< seconds of the first run, which counts for nothing else
   std::vector<double> Seconds = {};
-  std::vector<double> CpuSeconds = {};   ///< of all threads, where the system counts them
-  std::function<void()> Prepare = [] {}; ///< runs before each run and is not timed
 };
 
 /**
@@ -39,9 +37,6 @@ void RunInterleaved(std::vector<Operation>& operations, int rounds);
 
 /** Runs all operations once before, which counts for nothing but Operation::First. */
 void WarmUpAndRunInterleaved(std::vector<Operation>& operations, int rounds);
-
-/** Adds the timings of an operation to the object at hand. */
-void AddTimes(Json::Value& json, const Operation& operation);
 
 /** Adds a list of numbers. */
 void AddList(Json::Value& json, const char* name, const std::vector<double>& values);
@@ -73,10 +68,6 @@ Cost CostOf(const std::function<void()>& work);
 void AddCost(Json::Value& json, const Cost& cost);
 
 std::uint64_t FileSize(const std::string& file);
-
-/** Removes a file from the page cache, so that it is read from the disk. Throws Failure where the
- * system cannot. */
-void Evict(const std::string& file);
 }
 
 #endif

@@ -283,10 +283,10 @@ std::uint64_t MortonKey(const double* point, const double* box)
   return key;
 }
 
-/** A structured grid, its points placed by where they are in it, 0 to 1; five tetrahedra to each
- * hexahedron. */
-template <typename Place>
-Grid MakeHexahedra(const std::array<int, 3>& cells, bool allArrays, Place&& place)
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays)
 {
   std::vector<Point> points;
   for (int k = 0; k <= cells[2]; ++k)
@@ -295,8 +295,8 @@ Grid MakeHexahedra(const std::array<int, 3>& cells, bool allArrays, Place&& plac
     {
       for (int i = 0; i <= cells[0]; ++i)
       {
-        points.push_back(place(static_cast<double>(i) / cells[0], static_cast<double>(j) / cells[1],
-          static_cast<double>(k) / cells[2]));
+        points.push_back(FlowPoint(static_cast<double>(i) / cells[0],
+          static_cast<double>(j) / cells[1], static_cast<double>(k) / cells[2]));
       }
     }
   }
@@ -328,23 +328,6 @@ Grid MakeHexahedra(const std::array<int, 3>& cells, bool allArrays, Place&& plac
   Grid grid = MakeGrid(points, std::move(tets), false);
   AddFlow(grid, points, allArrays);
   return grid;
-}
-
-} // anonymous namespace
-
-//------------------------------------------------------------------------------
-Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays)
-{
-  return MakeHexahedra(cells, allArrays, FlowPoint);
-}
-
-//------------------------------------------------------------------------------
-Grid MakeBlock(int cells)
-{
-  return MakeHexahedra({ cells, cells, cells }, false,
-    [](double u, double v, double w) {
-      return Point{ u, v, w };
-    });
 }
 
 //------------------------------------------------------------------------------
@@ -418,51 +401,6 @@ Grid MakeLattice(int cells, bool doublePoints)
   }
   Grid grid = MakeGrid(points, std::move(tets), doublePoints);
   AddFlow(grid, points, false);
-  return grid;
-}
-
-//------------------------------------------------------------------------------
-Grid MakeHexahedra(int cells)
-{
-  Random random(7);
-  vtkNew<vtkPoints> points;
-  points->SetNumberOfPoints(static_cast<vtkIdType>(std::pow(cells + 1, 3)));
-  vtkIdType id = 0;
-  for (int z = 0; z <= cells; ++z)
-  {
-    for (int y = 0; y <= cells; ++y)
-    {
-      for (int x = 0; x <= cells; ++x)
-      {
-        Point p{ static_cast<double>(x), static_cast<double>(y), static_cast<double>(z) };
-        for (double& coordinate : p)
-        {
-          coordinate += 0.2 * (Uniform(random) - 0.5);
-        }
-        points->SetPoint(id++, p.data());
-      }
-    }
-  }
-  vtkNew<vtkCellArray> hexahedra;
-  hexahedra->AllocateExact(id, 8 * id);
-  const vtkIdType row = cells + 1;
-  const vtkIdType plane = row * row;
-  for (vtkIdType z = 0; z < cells; ++z)
-  {
-    for (vtkIdType y = 0; y < cells; ++y)
-    {
-      for (vtkIdType x = 0; x < cells; ++x)
-      {
-        const vtkIdType a = z * plane + y * row + x;
-        const vtkIdType b = a + plane;
-        hexahedra->InsertNextCell(
-          { a, a + 1, a + row + 1, a + row, b, b + 1, b + row + 1, b + row });
-      }
-    }
-  }
-  auto grid = Grid::New();
-  grid->SetPoints(points);
-  grid->SetCells(VTK_HEXAHEDRON, hexahedra);
   return grid;
 }
 

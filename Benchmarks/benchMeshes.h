@@ -25,14 +25,8 @@ using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
  */
 Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays);
 
-/** The same of cells^3 cubes, without the nose; Density. */
-Grid MakeBlock(int cells);
-
 /** A jittered body-centered lattice of cells^3 cubes, about twelve tetrahedra each; Density. */
 Grid MakeLattice(int cells, bool doublePoints);
-
-/** cells^3 jittered hexahedra without arrays. Float points. */
-Grid MakeHexahedra(int cells);
 
 /** A ball of about so many tetrahedra by TetGen, of good quality; Density without noise. */
 Grid MakeDelaunay(int tets);

@@ -23,6 +23,9 @@ namespace bench
 {
 namespace
 {
+/** Of the largest value, over a hundredth of the diagonal; that of the smallest is 0. */
+constexpr double Opacity = 0.3;
+
 /** From blue over gray to red: of the smallest value, of that half way, and of the largest. */
 constexpr std::array<std::array<double, 3>, 3> Colors{ { { 0.1, 0.2, 0.9 }, { 0.9, 0.9, 0.9 },
   { 0.9, 0.1, 0.1 } } };
@@ -49,23 +52,7 @@ void Scene::SetUp(vtkCamera* camera, double turn) const
   camera->Azimuth(30);
   camera->Elevation(20);
   camera->Azimuth(turn);
-  camera->SetParallelProjection(this->Orthographic);
-  camera->SetParallelScale(radius);
   camera->SetClippingRange(distance - 1.01 * radius, distance + 1.01 * radius);
-}
-
-//------------------------------------------------------------------------------
-void Scene::Approach(vtkCamera* camera, double part) const
-{
-  constexpr double turn = 40;
-  constexpr double nearest = 0.1; // of the diagonal
-  this->SetUp(camera, turn * part);
-  const double diagonal = this->GetDiagonal();
-  const double start = camera->GetDistance();
-  const double distance = start * std::pow(nearest * diagonal / start, part);
-  camera->Dolly(start / distance);
-  camera->SetClippingRange(
-    std::max(1e-3 * diagonal, distance - 0.51 * diagonal), distance + 0.51 * diagonal);
 }
 
 //------------------------------------------------------------------------------
@@ -79,10 +66,8 @@ void Scene::SetUp(vtkVolumeProperty* property) const
       this->Values[0] + (this->Values[1] - this->Values[0]) * 0.5 * static_cast<double>(i);
     colors->AddRGBPoint(at, Colors[i][0], Colors[i][1], Colors[i][2]);
   }
-  for (std::size_t i = 0; i < 2; ++i)
-  {
-    opacities->AddPoint(this->Values[i], this->Opacities[i]);
-  }
+  opacities->AddPoint(this->Values[0], 0);
+  opacities->AddPoint(this->Values[1], Opacity);
   property->SetColor(colors);
   property->SetScalarOpacity(opacities);
   property->SetScalarOpacityUnitDistance(this->GetDiagonal() / 100);
@@ -95,30 +80,17 @@ gatun::RayView Scene::MakeView(int size) const
 {
   vtkNew<vtkCamera> camera;
   this->SetUp(camera);
-  return this->MakeView(size, camera);
-}
-
-//------------------------------------------------------------------------------
-gatun::RayView Scene::MakeView(int size, vtkCamera* camera) const
-{
   vtkMatrix4x4* const matrix = camera->GetViewTransformMatrix();
   std::array<std::array<double, 4>, 3> toEye{};
-  for (int i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < 12; ++i)
   {
-    for (int j = 0; j < 4; ++j)
-    {
-      toEye[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = matrix->GetElement(i, j);
-    }
+    toEye[i / 4][i % 4] = matrix->GetElement(static_cast<int>(i / 4), static_cast<int>(i % 4));
   }
-  const double border = this->Orthographic
-    ? camera->GetParallelScale()
-    : std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle() / 2));
+  const double border = std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle() / 2));
   gatun::RayFrustum frustum;
-  frustum.Parallel = this->Orthographic;
   frustum.Left = frustum.Bottom = -border;
   frustum.Right = frustum.Top = border;
-  const double pixel = 2 * border / size * (this->Orthographic ? 1 : camera->GetDistance());
-  return gatun::RayView(toEye, frustum, size, size, pixel);
+  return gatun::RayView(toEye, frustum, size, size, 2 * border / size * camera->GetDistance());
 }
 
 //------------------------------------------------------------------------------
@@ -134,7 +106,7 @@ gatun::RayTable Scene::MakeTable(const gatun::RayView& view, gatun::RayMode mode
     {
       color[c] = Colors[from][c] + part * (Colors[from + 1][c] - Colors[from][c]);
     }
-    color[3] = this->Opacities[0] + at * (this->Opacities[1] - this->Opacities[0]);
+    color[3] = at * Opacity;
     return color;
   };
   return gatun::RayTable(mode, getColor, { this->Values[0], this->Values[1] }, view.SampleDistance,

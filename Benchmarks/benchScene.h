@@ -28,21 +28,12 @@ struct Scene
   std::array<double, 6> Box{};
   std::array<double, 2> Values{};
 
-  /** Opacities of the smallest and of the largest value, over a hundredth of the diagonal. */
-  std::array<double, 2> Opacities{ 0, 0.3 };
-  bool Orthographic = false;
-
   /** Puts a camera in its place, turned around the mesh by an angle in degrees. */
   void SetUp(vtkCamera* camera, double turn = 0) const;
   void SetUp(vtkVolumeProperty* property) const;
 
-  /** Puts a camera on a path into the mesh: from where all of it is seen, at 0, to near its center,
-   * at 1, turning on the way. */
-  void Approach(vtkCamera* camera, double part) const;
-
   /** The same for the core; samples, if the mode takes any, are as far apart as pixels are. */
   gatun::RayView MakeView(int size) const;
-  gatun::RayView MakeView(int size, vtkCamera* camera) const;
   gatun::RayTable MakeTable(const gatun::RayView& view, gatun::RayMode mode) const;
 
 private:

@@ -5,8 +5,6 @@
 
 #include "benchHarness.h"
 
-#include "gatunExactSource.h"
-#include "gatunParallel.h"
 #include "gatunVolumePhantoms.h"
 
 #include "vtkDataArray.h"
@@ -77,35 +75,6 @@ Image Open(const std::string& name)
   return name.ends_with(".vti") ? Read<vtkXMLImageDataReader>(name)
                                 : Read<vtkNIFTIImageReader>(name);
 }
-
-/** Keeps what a source makes anew each time. */
-class KeptSource : public gatun::HartleySource
-{
-public:
-  explicit KeptSource(const gatun::HartleySource& source)
-    : Layout(source.GetLayout())
-    , Base(source.GetBase())
-    , Values(source.GetRange())
-    , Chunks(this->Layout.GetNumberOfChunks())
-  {
-    gatun::ParallelFor(this->Chunks.size(),
-      [&](std::size_t chunk) { this->Chunks[chunk] = source.GetChunk(chunk); });
-  }
-
-  const gatun::HartleyLayout& GetLayout() const override { return this->Layout; }
-  double GetBase() const override { return this->Base; }
-  gatun::Range GetRange() const override { return this->Values; }
-  std::shared_ptr<const gatun::HartleyChunk> GetChunk(std::size_t chunk) const override
-  {
-    return this->Chunks[chunk];
-  }
-
-private:
-  gatun::HartleyLayout Layout;
-  double Base;
-  gatun::Range Values;
-  std::vector<std::shared_ptr<const gatun::HartleyChunk>> Chunks;
-};
 
 gatun::ScalarType GetType(int type, const std::string& name)
 {
@@ -236,36 +205,6 @@ gatun::HartleyRateControl MakeQuality(double rate)
   control.Mode = rate > 0 ? gatun::HartleyRateMode::BitsPerVoxel : gatun::HartleyRateMode::RMSError;
   control.Value = rate;
   return control;
-}
-
-//------------------------------------------------------------------------------
-std::shared_ptr<const gatun::HartleySource> MakeSource(
-  const Volume& volume, std::uint32_t block, double rate)
-{
-  if (rate > 0)
-  {
-    return gatun::HartleyVolume::Make(volume.GetInput(), block, MakeQuality(rate));
-  }
-  return std::make_shared<KeptSource>(
-    *gatun::test::MakeSource(volume.GetVoxels(), volume.GetSize(), block));
-}
-
-//------------------------------------------------------------------------------
-const std::vector<std::string>& GetLawNames()
-{
-  static const std::vector<std::string> names{ "xray", "exponential", "linear" };
-  return names;
-}
-
-//------------------------------------------------------------------------------
-gatun::HartleyOpacityModel GetOpacityModel(const std::string& name)
-{
-  if (name == "xray")
-  {
-    return gatun::HartleyOpacityModel::XRay;
-  }
-  return name == "exponential" ? gatun::HartleyOpacityModel::Exponential
-                               : gatun::HartleyOpacityModel::TransferFunction;
 }
 
 //------------------------------------------------------------------------------

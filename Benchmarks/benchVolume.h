@@ -75,15 +75,6 @@ gatun::HartleyShading MakeGray(
 /** Lossless for 0, else so many bits a voxel. */
 gatun::HartleyRateControl MakeQuality(double rate);
 
-/** The volume transformed, in memory; for 0 the coefficients as they are, in single precision, else
- * quantized. */
-std::shared_ptr<const gatun::HartleySource> MakeSource(
-  const Volume& volume, std::uint32_t block, double rate);
-
-/** The names of laws: xray, exponential, linear. */
-const std::vector<std::string>& GetLawNames();
-gatun::HartleyOpacityModel GetOpacityModel(const std::string& name);
-
 /** The four rotations of the dissertation's tables, by their number. */
 const std::array<Turns, 4>& GetPaperTurns();
 

@@ -8,12 +8,10 @@
 #include "gatunParallel.h"
 #include "vtkGatunVolumeMapper.h"
 
-#include "vtkProjectedTetrahedraMapper.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGridVolumeRayCastMapper.h"
-#include "vtkUnstructuredGridVolumeZSweepMapper.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -30,39 +28,24 @@ vtkSmartPointer<Class> MakeCaster()
   return mapper;
 }
 
-Mapper Make(const std::string& name, int budget)
+Mapper Make(bool isGatun, int budget)
 {
-  if (name == "gatun")
+  if (isGatun)
   {
     auto mapper = MakeCaster<vtkGatunVolumeMapper>();
     mapper->SetMemoryBudget(budget);
     return mapper;
   }
-  if (name == "bunyk")
-  {
-    auto mapper = MakeCaster<vtkUnstructuredGridVolumeRayCastMapper>();
-    mapper->SetNumberOfThreads(gatun::GetNumberOfThreads());
-    return mapper;
-  }
-  if (name == "zsweep")
-  {
-    return MakeCaster<vtkUnstructuredGridVolumeZSweepMapper>();
-  }
-  return vtkSmartPointer<vtkProjectedTetrahedraMapper>::New();
+  auto mapper = MakeCaster<vtkUnstructuredGridVolumeRayCastMapper>();
+  mapper->SetNumberOfThreads(gatun::GetNumberOfThreads());
+  return mapper;
 }
 }
 
 //------------------------------------------------------------------------------
-const std::vector<std::string>& GetMapperNames()
+Mapper MakeMapper(bool isGatun, const std::string& array, int budget)
 {
-  static const std::vector<std::string> names{ "gatun", "bunyk", "zsweep", "projected" };
-  return names;
-}
-
-//------------------------------------------------------------------------------
-Mapper MakeMapper(const std::string& name, const std::string& array, int budget)
-{
-  Mapper mapper = Make(name, budget);
+  Mapper mapper = Make(isGatun, budget);
   mapper->SetScalarModeToUsePointFieldData();
   mapper->SelectScalarArray(array.c_str());
   return mapper;
@@ -101,41 +84,20 @@ void VolumeWindow::Render(double turn)
 }
 
 //------------------------------------------------------------------------------
-void VolumeWindow::RenderOnApproach(double part)
-{
-  this->View.Approach(this->Renderer->GetActiveCamera(), part);
-  this->Window->Render();
-  this->Window->WaitForCompletion();
-}
-
-//------------------------------------------------------------------------------
-void VolumeWindow::SetUpdateRate(double rate)
-{
-  this->Window->SetDesiredUpdateRate(rate);
-}
-
-//------------------------------------------------------------------------------
-std::vector<unsigned char> VolumeWindow::GetPixels()
-{
-  const int* const size = this->Window->GetSize();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  this->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
-  return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
-}
-
-//------------------------------------------------------------------------------
 Seen VolumeWindow::Look()
 {
-  const auto pixels = this->GetPixels();
-  const std::size_t count = pixels.size() / 3;
+  const int* const extent = this->Window->GetSize();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  this->Window->GetPixelData(0, 0, extent[0] - 1, extent[1] - 1, 0, pixels);
+  const vtkIdType count = pixels->GetNumberOfValues() / 3;
   std::size_t covered = 0;
   double sum = 0;
-  for (std::size_t i = 0; i < count; ++i)
+  for (vtkIdType i = 0; i < count; ++i)
   {
     int pixel = 0;
-    for (std::size_t c = 0; c < 3; ++c)
+    for (vtkIdType c = 0; c < 3; ++c)
     {
-      pixel += pixels[3 * i + c];
+      pixel += pixels->GetValue(3 * i + c);
     }
     covered += pixel > 0 ? 1 : 0;
     sum += pixel;

@@ -11,7 +11,6 @@
 #include "vtkSmartPointer.h"
 
 #include <string>
-#include <vector>
 
 class vtkRenderWindow;
 class vtkRenderer;
@@ -21,11 +20,9 @@ namespace bench
 {
 using Mapper = vtkSmartPointer<vtkUnstructuredGridVolumeMapper>;
 
-/** gatun, bunyk (vtkUnstructuredGridVolumeRayCastMapper), zsweep, projected (tetrahedra). */
-const std::vector<std::string>& GetMapperNames();
-
-/** A mapper by its name, for a point array; a ray for each pixel. Budget: Gatun's, in MiB. */
-Mapper MakeMapper(const std::string& name, const std::string& array, int budget);
+/** vtkGatunVolumeMapper with a memory budget in MiB, or vtkUnstructuredGridVolumeRayCastMapper; a
+ * ray for each pixel. */
+Mapper MakeMapper(bool isGatun, const std::string& array, int budget);
 
 /** A square window with at most one volume. Needs a display. */
 class VolumeWindow
@@ -42,17 +39,8 @@ public:
   /** Draws the volume from a place around it, and waits until it is drawn. */
   void Render(double turn = 0);
 
-  /** The same from a place on the way into it; see Scene::Approach. */
-  void RenderOnApproach(double part);
-
-  /** Pictures a second that are wanted from now on, from which the time for one is derived. */
-  void SetUpdateRate(double rate);
-
   /** Of the last picture. */
   Seen Look();
-
-  /** Red, green and blue of the last picture, 0 to 255. */
-  std::vector<unsigned char> GetPixels();
 
 private:
   Scene View;

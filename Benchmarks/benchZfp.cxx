@@ -69,7 +69,7 @@ std::uint64_t ThereAndBack(std::vector<Value>& values, zfp_type type,
 
 //------------------------------------------------------------------------------
 ZfpResult RunZfp(const std::vector<float>& voxels, const std::array<std::uint32_t, 3>& size,
-  ZfpMode mode, double value, int bits)
+  ZfpMode mode, double value)
 {
   ZfpResult result;
   result.Voxels = voxels;
@@ -78,28 +78,14 @@ ZfpResult RunZfp(const std::vector<float>& voxels, const std::array<std::uint32_
     result.Bytes = ThereAndBack(result.Voxels, zfp_type_float, size, mode, value);
     return result;
   }
-  // As zfp_promote_uint8_to_int32 and its kin have it; nothing is moved to be lossless.
-  const int shift = mode == ZfpMode::Integers ? (bits == 8 ? 23 : 15) : 0;
-  const int middle = mode == ZfpMode::Integers && bits == 8 ? 128 : 0;
-  std::vector<std::int32_t> integers;
-  integers.reserve(voxels.size());
-  for (const float voxel : voxels)
-  {
-    integers.push_back((static_cast<std::int32_t>(voxel) - middle) * (std::int32_t{ 1 } << shift));
-  }
+  std::vector<std::int32_t> integers(voxels.begin(), voxels.end());
   result.Bytes = ThereAndBack(integers, zfp_type_int32, size, mode, value);
-  for (std::size_t i = 0; i < integers.size(); ++i)
-  {
-    result.Voxels[i] =
-      static_cast<float>(integers[i]) / static_cast<float>(std::int32_t{ 1 } << shift) +
-      static_cast<float>(middle);
-  }
+  result.Voxels.assign(integers.begin(), integers.end());
   return result;
 }
 #else
 //------------------------------------------------------------------------------
-ZfpResult RunZfp(
-  const std::vector<float>&, const std::array<std::uint32_t, 3>&, ZfpMode, double, int)
+ZfpResult RunZfp(const std::vector<float>&, const std::array<std::uint32_t, 3>&, ZfpMode, double)
 {
   throw Failure("zfp (libzfp-dev) was not there when this was built");
 }

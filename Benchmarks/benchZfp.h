@@ -18,7 +18,6 @@ enum class ZfpMode
 {
   Accuracy,  ///< of floats: no error larger than the value
   Precision, ///< of floats: so many bit planes
-  Integers,  ///< of integers, after zfp's own promotion to 31 bits: so many bit planes
   Reversible ///< of integers: lossless
 };
 
@@ -28,9 +27,9 @@ struct ZfpResult
   std::vector<float> Voxels;
 };
 
-/** There and back again. Bits: of the integers, 8 or 16. Throws Failure. */
+/** There and back again. Throws Failure. */
 ZfpResult RunZfp(const std::vector<float>& voxels, const std::array<std::uint32_t, 3>& size,
-  ZfpMode mode, double value, int bits);
+  ZfpMode mode, double value);
 }
 
 #endif

@@ -44,10 +44,10 @@ void WriteOrdered(vtkUnstructuredGrid* grid, const MakeOptions& options)
     ordered = options.Permute ? Permute(grid) : SortAlongCurve(grid);
     grid = ordered;
   }
-  Write({ options.Format, false, false }, grid, options.Out);
+  Write({ options.Format, false }, grid, options.Out);
 }
 
-void Make(const MakeOptions& options)
+void MakeMesh(const MakeOptions& options)
 {
   const double hexahedra = options.Tets / 5.0;
   // A block as long as 4 when it is 3 wide and high.
@@ -61,16 +61,6 @@ void Make(const MakeOptions& options)
   {
     const int cells = std::max(2, static_cast<int>(std::lround(std::cbrt(options.Tets / 12.0))));
     WriteOrdered(MakeLattice(cells, false), options);
-  }
-  else if (options.Kind == "hexes")
-  {
-    const int cells = std::max(2, static_cast<int>(std::lround(std::cbrt(options.Tets))));
-    WriteOrdered(MakeHexahedra(cells), options);
-  }
-  else if (options.Kind == "block")
-  {
-    WriteOrdered(
-      MakeBlock(std::max(2, static_cast<int>(std::lround(std::cbrt(hexahedra))))), options);
   }
   else
   {
@@ -112,49 +102,32 @@ void PrintMachine()
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
-void AddMachine(CLI::App& app)
-{
-  app.add_subcommand("machine", "Compiler, versions and threads")->callback(PrintMachine);
-}
-
-//------------------------------------------------------------------------------
 void AddMake(CLI::App& app)
 {
-  auto options = std::make_shared<MakeOptions>();
-  CLI::App* command = app.add_subcommand("make", "Make a mesh, as a raw .vtu file");
-  command
-    ->add_option("KIND", options->Kind,
-      "flow (four arrays), flow1 (one), block, lattice, delaunay, hexes (that many hexahedra)")
+  app.add_subcommand("machine", "Compiler, versions and threads")->callback(PrintMachine);
+
+  auto made = std::make_shared<MakeOptions>();
+  CLI::App* make = app.add_subcommand("make", "Make a mesh, as a raw .vtu file");
+  make->add_option("KIND", made->Kind, "flow (four arrays), flow1 (one), lattice, delaunay")
     ->required()
-    ->check(CLI::IsMember({ "flow", "flow1", "block", "lattice", "delaunay", "hexes" }));
-  command->add_option("TETS", options->Tets, "About how many tetrahedra")
+    ->check(CLI::IsMember({ "flow", "flow1", "lattice", "delaunay" }));
+  make->add_option("TETS", made->Tets, "About how many tetrahedra")
     ->required()
     ->check(CLI::Range(100, 1000000000));
-  command->add_option("OUT", options->Out)->required();
-  command->add_flag("--permute", options->Permute, "Points and tetrahedra in random order");
-  command->callback([options] { Make(*options); });
-}
+  make->add_option("OUT", made->Out)->required();
+  make->callback([made] { MakeMesh(*made); });
 
-//------------------------------------------------------------------------------
-void AddPrepare(CLI::App& app)
-{
   auto options = std::make_shared<MakeOptions>();
-  CLI::App* command =
+  CLI::App* prepare =
     app.add_subcommand("prepare", "Make tetrahedra of the cells of a .vtu or .gtn file");
-  command->add_option("IN", options->In)->required();
-  command->add_option("OUT", options->Out)->required();
+  prepare->add_option("IN", options->In)->required();
+  prepare->add_option("OUT", options->Out)->required();
   CLI::Option* permute =
-    command->add_flag("--permute", options->Permute, "Points and tetrahedra in random order");
-  command->add_flag("--morton", options->Sort, "Points and tetrahedra along a Morton curve")
+    prepare->add_flag("--permute", options->Permute, "Points and tetrahedra in random order");
+  prepare->add_flag("--morton", options->Sort, "Points and tetrahedra along a Morton curve")
     ->excludes(permute);
-  command->add_option("--array", options->Array, "Keep this point array only");
-  std::vector<std::string> formats;
-  for (const Format& format : GetFormats())
-  {
-    formats.push_back(format.Name);
-  }
-  command->add_option("--format", options->Format, "How OUT is written, in place of vtu-raw")
-    ->check(CLI::IsMember(formats));
-  command->callback([options] { Prepare(*options); });
+  prepare->add_option("--array", options->Array, "Keep this point array only");
+  prepare->add_option("--format", options->Format, "How OUT is written, in place of vtu-raw");
+  prepare->callback([options] { Prepare(*options); });
 }
 }

@@ -1,55 +1,170 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// simplify-gatun, simplify-quadric: a mesh is made coarser by vtkGatunSimplify, to any degree at
-// once, or by vtkUnstructuredGridQuadricDecimation, to one. simplify-compare: what became of it.
+// simplify: a mesh is simplified by vtkUnstructuredGridQuadricDecimation and by vtkGatunSimplify to
+// the same number of tetrahedra; the time of both, and the error of the field.
 
 #include "benchCases.h"
-#include "benchDeviation.h"
 #include "benchFiles.h"
 
-#include "gatunMergeBuilder.h"
 #include "gatunParallel.h"
 #include "vtkGatunSimplify.h"
 
 #include "vtkDataArray.h"
+#include "vtkGenericCell.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkStaticCellLocator.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkUnstructuredGridQuadricDecimation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <numeric>
+#include <random>
 
 namespace bench
 {
 namespace
 {
-
 struct SimplifyOptions
 {
   std::string File;
   std::string Array = "Density";
-  std::vector<std::uint64_t> Tets;
-  std::vector<std::string> Others;
-  std::string Out;
-  double Part = 0.5;
+  std::vector<double> Parts{ 0.5, 0.1 };
   std::size_t Samples = 200000;
-  int Rounds = 1;
-  std::vector<int> Threads;
 };
 
-void WriteMesh(vtkUnstructuredGrid* grid, const std::string& file)
+struct FieldSample
 {
-  if (!file.empty())
-  {
-    Write({ "vtu-raw", false, false }, grid, file);
-  }
-}
+  std::array<double, 3> Place{};
+  double Value = 0;
+};
 
 std::uint64_t CountCells(vtkUnstructuredGrid* grid)
 {
   return static_cast<std::uint64_t>(grid->GetNumberOfCells());
+}
+
+std::array<vtkIdType, 4> GetTet(vtkUnstructuredGrid* grid, std::size_t cell)
+{
+  vtkIdType count = 0;
+  const vtkIdType* ids = nullptr;
+  grid->GetCellPoints(static_cast<vtkIdType>(cell), count, ids);
+  if (count != 4)
+  {
+    throw Failure("not all cells are tetrahedra");
+  }
+  return { ids[0], ids[1], ids[2], ids[3] };
+}
+
+double GetVolume(vtkUnstructuredGrid* grid, std::size_t cell)
+{
+  double p[4][3];
+  const auto tet = GetTet(grid, cell);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    grid->GetPoint(tet[i], p[i]);
+  }
+  double e[3][3];
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      e[i][c] = p[i + 1][c] - p[0][c];
+    }
+  }
+  return std::abs(e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
+    e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+    e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]));
+}
+
+/** A random place in a tetrahedron, evenly distributed, and the field there. */
+FieldSample MakeSample(
+  vtkUnstructuredGrid* grid, std::size_t cell, vtkDataArray* array, std::mt19937_64& random)
+{
+  std::array<double, 4> weights;
+  for (double& weight : weights)
+  {
+    weight = -std::log(1 - static_cast<double>(random() >> 11) * 0x1p-53);
+  }
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  FieldSample sample;
+  const auto tet = GetTet(grid, cell);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    double corner[3];
+    grid->GetPoint(tet[i], corner);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      sample.Place[c] += weights[i] / sum * corner[c];
+    }
+    sample.Value += weights[i] / sum * array->GetTuple1(tet[i]);
+  }
+  return sample;
+}
+
+/** Samples spread evenly over the volume, the same ones in each run. */
+std::vector<FieldSample> MakeSamples(
+  vtkUnstructuredGrid* grid, vtkDataArray* array, std::size_t count)
+{
+  std::mt19937_64 random(29);
+  std::vector<double> ends(static_cast<std::size_t>(grid->GetNumberOfCells()));
+  double sum = 0;
+  for (std::size_t i = 0; i < ends.size(); ++i)
+  {
+    ends[i] = sum += GetVolume(grid, i);
+  }
+  std::vector<FieldSample> samples;
+  for (std::size_t i = 0; samples.size() < count && i < ends.size(); ++i)
+  {
+    // One in each of so many equal parts of the volume.
+    while (samples.size() < count &&
+      (static_cast<double>(samples.size()) + 0.5) * sum < ends[i] * static_cast<double>(count))
+    {
+      samples.push_back(MakeSample(grid, i, array, random));
+    }
+  }
+  return samples;
+}
+
+/** The root mean square difference of a grid's field from samples. A sample outside of the grid gets
+ * the value of the nearest place in it. */
+double GetFieldError(const std::vector<FieldSample>& samples, vtkUnstructuredGrid* grid)
+{
+  vtkDataArray* const array = grid->GetPointData()->GetArray(0);
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(grid);
+  locator->BuildLocator();
+  vtkNew<vtkGenericCell> cell;
+  double sum = 0;
+  for (const FieldSample& sample : samples)
+  {
+    std::array<double, 3> place = sample.Place;
+    double parameters[3];
+    double weights[4];
+    int sub = 0;
+    double distance = 0;
+    vtkIdType id = locator->FindCell(place.data(), 0, cell, parameters, weights);
+    if (id < 0)
+    {
+      std::array<double, 3> nearest;
+      locator->FindClosestPoint(place.data(), nearest.data(), cell, id, sub, distance);
+      cell->EvaluatePosition(nearest.data(), nullptr, sub, parameters, distance, weights);
+    }
+    // In a flat tetrahedron, the weights may be anything.
+    double all = 0;
+    double value = 0;
+    for (int i = 0; i < 4; ++i)
+    {
+      const double weight = std::isfinite(weights[i]) ? std::clamp(weights[i], 0.0, 1.0) : 1.0;
+      all += weight;
+      value += weight * array->GetTuple1(cell->GetPointId(i));
+    }
+    sum += (value / all - sample.Value) * (value / all - sample.Value);
+  }
+  return std::sqrt(sum / static_cast<double>(samples.size()));
 }
 
 void UpdateChecked(vtkGatunSimplify* filter)
@@ -61,16 +176,15 @@ void UpdateChecked(vtkGatunSimplify* filter)
   }
 }
 
-/** The most points with no more than so many tetrahedra. Takes the last update's seconds. */
+/** The most points with no more than so many tetrahedra. Returns the seconds of the last update. */
 double SimplifyToTets(vtkGatunSimplify* filter, vtkIdType points, std::uint64_t tets)
 {
   vtkIdType low = 0;
   vtkIdType high = points;
-  double seconds = 0;
   const auto update = [&](vtkIdType number)
   {
     filter->SetSimplificationNumberOfPoints(number);
-    seconds = SecondsOf([&] { UpdateChecked(filter); });
+    return SecondsOf([&] { UpdateChecked(filter); });
   };
   while (low < high)
   {
@@ -85,218 +199,75 @@ double SimplifyToTets(vtkGatunSimplify* filter, vtkIdType points, std::uint64_t 
       high = middle - 1;
     }
   }
-  update(low);
-  return seconds;
+  return update(low);
 }
 
-void SimplifyByGatun(const SimplifyOptions& options)
+void AddSimplified(Json::Value& json, double seconds, vtkUnstructuredGrid* grid,
+  const std::vector<FieldSample>& samples, double range)
+{
+  json["seconds"] = seconds;
+  json["tets"] = CountCells(grid);
+  json["rms"] = GetFieldError(samples, grid) / range;
+}
+
+void MeasureSimplification(const SimplifyOptions& options)
 {
   const Grid grid = KeepPointArray(Load(options.File), options.Array);
+  grid->GetPointData()->SetActiveScalars(options.Array.c_str());
+  vtkDataArray* const array = grid->GetPointData()->GetArray(0);
+  double range[2];
+  array->GetRange(range);
+  const auto samples = MakeSamples(grid, array, options.Samples);
   vtkNew<vtkGatunSimplify> filter;
   filter->SetInputData(grid);
   filter->SetArrayWeight(options.Array.c_str(), 1);
   filter->SetSimplificationTarget(vtkGatunSimplify::TARGET_NUMBER_OF_POINTS);
   filter->SetSimplificationNumberOfPoints(grid->GetNumberOfPoints());
-  const PeakMemory memory;
   const double build = SecondsOf([&] { UpdateChecked(filter); });
-  const std::uint64_t peak = PeakMemory::GetPeak();
   PrintJson(
     [&](Json::Value& json)
     {
+      json["threads"] = gatun::GetNumberOfThreads();
       json["tets"] = CountCells(grid);
-      json["points"] = static_cast<std::uint64_t>(grid->GetNumberOfPoints());
-      json["seconds"] = build;
-      json["before"] = memory.GetBefore();
-      json["peak"] = peak;
-      json["meshes"] = Json::arrayValue;
-      for (std::size_t i = 0; i < options.Tets.size(); ++i)
+      json["buildSeconds"] = build;
+      json["parts"] = Json::arrayValue;
+      for (const double part : options.Parts)
       {
-        const double seconds = SimplifyToTets(filter, grid->GetNumberOfPoints(), options.Tets[i]);
-        auto* const output = filter->GetUnstructuredGridOutput();
-        Json::Value meshJson;
-        meshJson["tets"] = CountCells(output);
-        meshJson["points"] = static_cast<std::uint64_t>(output->GetNumberOfPoints());
-        meshJson["seconds"] = seconds;
-        json["meshes"].append(meshJson);
-        WriteMesh(output, i < options.Others.size() ? options.Others[i] : std::string());
+        vtkNew<vtkUnstructuredGridQuadricDecimation> peer;
+        peer->SetInputData(grid);
+        peer->SetScalarsName(options.Array.c_str());
+        peer->SetTargetReduction(1 - part);
+        const double seconds = SecondsOf([&] { peer->Update(); });
+        Json::Value entry;
+        entry["part"] = part;
+        auto tets = static_cast<std::uint64_t>(part * static_cast<double>(CountCells(grid)));
+        // It may leave the mesh as it is, without a message, or nothing.
+        const std::uint64_t found = CountCells(peer->GetOutput());
+        if (found > 0 && found < CountCells(grid))
+        {
+          tets = found;
+          AddSimplified(entry["peer"], seconds, peer->GetOutput(), samples, range[1] - range[0]);
+        }
+        const double own = SimplifyToTets(filter, grid->GetNumberOfPoints(), tets);
+        AddSimplified(
+          entry["gatun"], own, filter->GetUnstructuredGridOutput(), samples, range[1] - range[0]);
+        json["parts"].append(entry);
       }
     });
 }
-
-void SimplifyByQuadrics(const SimplifyOptions& options)
-{
-  const Grid grid = KeepPointArray(Load(options.File), options.Array);
-  grid->GetPointData()->SetActiveScalars(options.Array.c_str());
-  vtkNew<vtkUnstructuredGridQuadricDecimation> filter;
-  filter->SetInputData(grid);
-  filter->SetScalarsName(options.Array.c_str());
-  filter->SetTargetReduction(1 - options.Part);
-  const PeakMemory memory;
-  const double seconds = SecondsOf([&] { filter->Update(); });
-  const std::uint64_t peak = PeakMemory::GetPeak();
-  auto* const output = filter->GetOutput();
-  if (CountCells(output) > 0)
-  {
-    // It loses the name.
-    output->GetPointData()->GetArray(0)->SetName(options.Array.c_str());
-    WriteMesh(output, options.Out);
-  }
-  PrintJson(
-    [&](Json::Value& json)
-    {
-      json["part"] = options.Part;
-      json["tets"] = CountCells(output);
-      json["points"] = static_cast<std::uint64_t>(output->GetNumberOfPoints());
-      json["seconds"] = seconds;
-      json["before"] = memory.GetBefore();
-      json["peak"] = peak;
-    });
-}
-
-/** Only the list of merges, without the filter around it, by each number of threads in turn. */
-void Build(const SimplifyOptions& options)
-{
-  const Grid grid = KeepPointArray(Load(options.File), options.Array);
-  vtkDataArray* const array = grid->GetPointData()->GetArray(0);
-  std::vector<std::array<double, 3>> points(static_cast<std::size_t>(grid->GetNumberOfPoints()));
-  std::vector<double> values(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    grid->GetPoint(static_cast<vtkIdType>(i), points[i].data());
-    values[i] = array->GetTuple1(static_cast<vtkIdType>(i));
-  }
-  std::vector<gatun::MergeTree::Tet> tets(CountCells(grid));
-  for (std::size_t i = 0; i < tets.size(); ++i)
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    grid->GetCellPoints(static_cast<vtkIdType>(i), count, ids);
-    std::transform(
-      ids, ids + 4, tets[i].begin(), [](vtkIdType id) { return static_cast<std::uint32_t>(id); });
-  }
-  const gatun::MergeInput input{ points, tets, { { values, 1 } } };
-  gatun::MergeTree tree;
-  std::vector<int> threads = options.Threads;
-  if (threads.empty())
-  {
-    threads.push_back(gatun::GetNumberOfThreads());
-  }
-  std::vector<Operation> operations;
-  for (const int count : threads)
-  {
-    const auto build = [&tree, &input] { tree = gatun::BuildMergeTree(input); };
-    operations.push_back(
-      { std::to_string(count), [count, build] { gatun::WithNumberOfThreads(count, build); } });
-  }
-  const PeakMemory memory;
-  RunInterleaved(operations, options.Rounds);
-  const std::uint64_t peak = PeakMemory::GetPeak();
-  std::size_t gone = 0;
-  const double ancestors =
-    SecondsOf([&] { gone = tree.FindAncestors(tree.GetMerges().size() / 2).size(); });
-  PrintJson(
-    [&](Json::Value& json)
-    {
-      json["tets"] = CountCells(grid);
-      json["points"] = std::uint64_t{ gone };
-      json["merges"] = std::uint64_t{ tree.GetMerges().size() };
-      AddList(json, "seconds", operations.front().Seconds);
-      json["threads"] = Json::arrayValue;
-      for (const Operation& operation : operations)
-      {
-        auto sorted = operation.Seconds;
-        std::sort(sorted.begin(), sorted.end());
-        Json::Value run;
-        run["threads"] = std::stoi(operation.Name);
-        run["rate"] = 1e-6 * static_cast<double>(tets.size()) / sorted[sorted.size() / 2];
-        AddTimes(run, operation);
-        json["threads"].append(run);
-      }
-      json["ancestors"] = ancestors;
-      json["before"] = memory.GetBefore();
-      json["peak"] = peak;
-    });
-}
-
-void AddComparison(Json::Value& json, const Samples& samples, vtkUnstructuredGrid* grid,
-  const SimplifyOptions& options)
-{
-  const Deviation deviation = Compare(samples, grid, options.Array);
-  const Shapes shapes = LookAtShapes(grid);
-  json["tets"] = CountCells(grid);
-  json["points"] = static_cast<std::uint64_t>(grid->GetNumberOfPoints());
-  json["rms"] = deviation.Rms;
-  json["largest"] = deviation.Largest;
-  json["rmsInside"] = deviation.RmsInside;
-  json["outside"] = std::uint64_t{ deviation.Outside };
-  json["boundaryMean"] = deviation.BoundaryMean;
-  json["boundaryLargest"] = deviation.BoundaryLargest;
-  json["volume"] = shapes.Volume;
-  json["worst"] = shapes.Worst;
-  json["firstPercentile"] = shapes.FirstPercentile;
-  json["median"] = shapes.Median;
-  json["flat"] = std::uint64_t{ shapes.Flat };
-  json["inverted"] = std::uint64_t{ shapes.Inverted };
-}
-
-void CompareAll(const SimplifyOptions& options)
-{
-  const Grid grid = Load(options.File);
-  const Samples samples = MakeSamples(grid, options.Array, options.Samples);
-  PrintJson(
-    [&](Json::Value& json)
-    {
-      json["samples"] = std::uint64_t{ samples.Places.size() };
-      AddComparison(json["original"], samples, grid, options);
-      json["meshes"] = Json::arrayValue;
-      for (const auto& file : options.Others)
-      {
-        Json::Value meshJson;
-        AddComparison(meshJson, samples, Load(file), options);
-        json["meshes"].append(meshJson);
-      }
-    });
-}
-
-CLI::App* AddCase(CLI::App& app, const std::shared_ptr<SimplifyOptions>& options, const char* name,
-  const char* about, void (*run)(const SimplifyOptions&))
-{
-  CLI::App* command = app.add_subcommand(name, about);
-  command->add_option("FILE", options->File, "A .gtn or .vtu file of tetrahedra")->required();
-  command->add_option("--array", options->Array, "The point array that counts");
-  command->callback([options, run] { run(*options); });
-  return command;
-}
-
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
 void AddSimplify(CLI::App& app)
 {
   auto options = std::make_shared<SimplifyOptions>();
-  CLI::App* gatun = AddCase(app, options, "simplify-gatun",
-    "Time and memory of vtkGatunSimplify: the first update, and then to other sizes",
-    SimplifyByGatun);
-  gatun->add_option("--tets", options->Tets, "At most so many tetrahedra, one mesh after the other")
-    ->delimiter(',');
-  gatun->add_option("--out", options->Others, "Where these meshes are written, .vtu");
-  CLI::App* build =
-    AddCase(app, options, "simplify-build", "Time and memory of finding the list of merges", Build);
-  build->add_option("--rounds", options->Rounds, "How often")->check(CLI::Range(1, 1000));
-  build
-    ->add_option("--threads", options->Threads,
-      "Numbers of threads that take turns; each gives a rate in millions of tetrahedra a second")
-    ->delimiter(',')
-    ->check(CLI::Range(1, 1024));
-  CLI::App* quadric = AddCase(app, options, "simplify-quadric",
-    "Time and memory of vtkUnstructuredGridQuadricDecimation", SimplifyByQuadrics);
-  quadric->add_option("--part", options->Part, "The part of the tetrahedra that is to be left")
-    ->check(CLI::Range(0.0, 1.0));
-  quadric->add_option("--out", options->Out, "Where the mesh is written, .vtu");
-  CLI::App* compare = AddCase(app, options, "simplify-compare",
-    "How far simplified meshes are from the one that they were made of", CompareAll);
-  compare->add_option("OTHERS", options->Others, "Simplified meshes");
-  compare->add_option("--samples", options->Samples, "How many places to look at")
+  CLI::App* command = app.add_subcommand("simplify",
+    "Time and error of the field, by vtkUnstructuredGridQuadricDecimation and vtkGatunSimplify");
+  command->add_option("FILE", options->File, "A .gtn or .vtu file of tetrahedra")->required();
+  command->add_option("--array", options->Array, "The point array that counts");
+  command->add_option("--parts", options->Parts, "Parts of the tetrahedra")->delimiter(',');
+  command->add_option("--samples", options->Samples, "Where the field is compared")
     ->check(CLI::Range(100, 100000000));
+  command->callback([options] { MeasureSimplification(*options); });
 }
 }

@@ -12,9 +12,10 @@
 #   Utilities/setup.sh docs          write the pages of the headers, build/release/doxygen/html
 #   Utilities/setup.sh lint [--tidy] check layout and includes; with --tidy also run clang-tidy; the
 #                                    sources follow clang 14, that of Debian 12
-#   Utilities/setup.sh bench [--quick] [FILE...]
-#                                    build, measure against VTK's own files (with --quick: less),
-#                                    with the meshes it makes and with FILEs; see bench.sh
+#   Utilities/setup.sh bench [--quick] [--pages]
+#                                    build, measure beside VTK and other peers, and write the pages (with
+#                                    --quick: tiny meshes, to build/bench-quick; with --pages: measure
+#                                    nothing, write the pages again)
 #   Utilities/setup.sh soak [MINUTES]
 #                                    build with and without sanitizers, fuzz and try everything that may
 #                                    go wrong with a file (default: 120); see soak/soak.py --help
@@ -309,9 +310,16 @@ run_lint() {
 
 run_bench() {
   install_packages "${packages_build[@]}" "${packages_window[@]}" "${packages_bench[@]}"
-  keep_tests release
-  build_vtk -DGATUN_BUILD_BENCHMARKS=ON "${tests[@]}"
-  GATUN_BUILD=$build/release exec "$root/Utilities/bench.sh" "$@"
+  # Debian's Python has matplotlib.
+  local report=(/usr/bin/python3 -B "$root/Benchmarks/report.py" --programs "$build/release/bin")
+  if [[ " $* " == *" --quick "* ]]; then
+    report+=(--out "$build/bench-quick")
+  fi
+  if [[ " $* " != *" --pages "* ]]; then
+    keep_tests release
+    build_vtk -DGATUN_BUILD_BENCHMARKS=ON "${tests[@]}"
+  fi
+  exec "${report[@]}" "$@"
 }
 
 run_soak() {

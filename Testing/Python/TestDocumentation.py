@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The documentation: pages and README's table follow from their results, other texts have no measured
-numbers, links and images resolve, the map of the core is complete, and the code, the specification and
-the golden files agree on the newest version of the format."""
+"""The documentation: pages of measurements and README's table follow from the results, links and images
+resolve, the map of the core is complete, and the code, the specification and the golden files agree on the
+newest version of the format."""
 
 import pathlib
 import re
@@ -11,21 +11,12 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(ROOT / "Benchmarks" / "Studies"))
+sys.path.insert(0, str(ROOT / "Benchmarks"))
 
-import generatedParts  # pylint: disable=wrong-import-position
+import report as benchmarks  # pylint: disable=wrong-import-position
 
 # Not ours, or not sources.
 SKIPPED = ("build", ".git")
-
-# Measured numbers look like this. They belong on the pages of the studies.
-MEASURED = [re.compile(pattern) for pattern in (
-    r"\d (times|x) as (fast|long|large|much|many|slow|wrong|small)",
-    r"\d times (faster|slower|smaller|larger|fewer|less|more|better|worse)",
-    r"\d\*{0,2} bits (per|a) (tetrahedron|point|voxel)",
-    r"\d (M|million) (tets|tetrahedra) (per|a) second",
-    r"\d(\.\d+)? (ms|milliseconds)\b",
-    r"\d % (of the|fewer|less|more|smaller|larger|faster|slower)")]
 
 problems = []
 
@@ -69,19 +60,6 @@ def check_links(file):
             report(file, f"{target}: there is no such heading")
 
 
-def check_numbers(file):
-    """Guides, README and changelog; README's table is written by a program."""
-    text = file.read_text(encoding="utf-8")
-    if generatedParts.BEGIN in text:
-        before, rest = text.split(generatedParts.BEGIN, 1)
-        text = before + rest.split(generatedParts.END, 1)[1]
-    text = " ".join(without_code(text).split())
-    for pattern in MEASURED:
-        for found in pattern.finditer(text):
-            around = text[max(0, found.start() - 40):found.end() + 20]
-            report(file, f'a measured number outside of the studies: "...{around}..."')
-
-
 def check_map():
     """Every unit of the core is in the map of design.md, and nothing else is."""
     file = ROOT / "Documentation" / "design.md"
@@ -112,20 +90,12 @@ def check_version():
 
 
 def main():
-    for file in generatedParts.find_differing():
-        report(file, "differs from its results.json; Utilities/bench.sh --pages writes it again")
-    guides = [ROOT / "README.md", ROOT / "CHANGELOG.md",
-              *sorted((ROOT / "Documentation").glob("*.md"))]
-    for file in guides:
-        if file.name not in ("format.md", "ghv-format.md"):
-            check_numbers(file)
+    for file in benchmarks.find_differing():
+        report(file, "differs from performance/results.json; Utilities/setup.sh bench --pages writes it")
     for file in documents():
         check_links(file)
     check_map()
     check_version()
-    readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    if readme.count("\n") >= 100:
-        report(ROOT / "README.md", "has 100 lines or more")
     for problem in problems:
         print(problem)
     return 1 if problems else 0
