@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Measures Gatun and, in the same run, its peers; each operation is a subcommand. report.py runs them
-// and writes pages of what they print.
+// Measures Gatun and, in the same run, its peers; each operation is a subcommand. report.py runs
+// them and writes pages of what they print.
 
 #include "benchCases.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// contour: time, bytes and memory from a file to an isosurface, by vtkGatunContour from a .gtn file and
-// by vtkContour3DLinearGrid from a .vtu file. contour-memory: both with the mesh in memory.
+// contour: time, bytes and memory from a file to an isosurface, by vtkGatunContour from a .gtn file
+// and by vtkContour3DLinearGrid from a .vtu file. contour-memory: both with the mesh in memory.
 // quantiles: isovalues.
 
 #include "benchCases.h"
@@ -155,8 +155,7 @@ void PrintQuantiles(const ContourOptions& options)
 void AddContour(CLI::App& app)
 {
   auto options = std::make_shared<ContourOptions>();
-  const auto add =
-    [&](const char* name, const char* about, void (*measure)(const ContourOptions&))
+  const auto add = [&](const char* name, const char* about, void (*measure)(const ContourOptions&))
   {
     CLI::App* command = app.add_subcommand(name, about);
     command->add_option("FILE", options->File, "A .vtu or .gtn file")->required();

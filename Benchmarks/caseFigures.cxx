@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Figures 13, 14 and 17 to 19 of the dissertation. fly: from a file to an image without a window, chunk
-// by chunk, or from a mesh that is decompressed (and simplified) as a whole before. simplified: time
-// and error of images by the ratio of simplification.
+// Figures 13, 14 and 17 to 19 of the dissertation. fly: from a file to an image without a window,
+// chunk by chunk, or from a mesh that is decompressed (and simplified) as a whole before.
+// simplified: time and error of images by the ratio of simplification.
 
 #include "benchCases.h"
 #include "benchFiles.h"
@@ -180,8 +180,8 @@ void DrawSimplified(SimplifiedImage& image, const std::shared_ptr<const gatun::F
   if (ratio > 0)
   {
     gatun::SimplifiedFile meshes(file);
-    const auto place = meshes.Find(
-      CountMerges(ratio, file->GetNumberOfPoints(), file->GetNumberOfMerges()));
+    const auto place =
+      meshes.Find(CountMerges(ratio, file->GetNumberOfPoints(), file->GetNumberOfMerges()));
     gatun::CoarseRaySource source(
       place.File, *place.Tree, gatun::MergeCut(*place.Tree, place.Merges), values, 0);
     caster.Draw(source);
@@ -267,14 +267,14 @@ void AddFigures(CLI::App& app)
     command->callback([options, run] { run(*options); });
     return command;
   };
-  CLI::App* fly = add("fly", "Time and memory from a file to an image by vtkGatunRayCaster",
-    MeasureFly);
+  CLI::App* fly =
+    add("fly", "Time and memory from a file to an image by vtkGatunRayCaster", MeasureFly);
   fly->add_flag("--whole", options->Whole, "Decompress the whole mesh first");
   fly->add_option("--ratio", options->Ratio, "Part of the points to merge away; needs a hierarchy")
     ->check(CLI::Range(0.0, 1.0));
-  CLI::App* simplified = add("simplified",
-    "Time and error of images of simplified meshes, by integrals and by samples",
-    MeasureSimplified);
+  CLI::App* simplified =
+    add("simplified", "Time and error of images of simplified meshes, by integrals and by samples",
+      MeasureSimplified);
   simplified->add_option("--ratios", options->Ratios, "Parts of the points; the first should be 0")
     ->delimiter(',');
   simplified->add_option("--rounds", options->Rounds)->check(CLI::Range(1, 1000));

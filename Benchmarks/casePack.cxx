@@ -65,8 +65,8 @@ void MeasurePacking(const PackOptions& options)
 void AddPack(CLI::App& app)
 {
   auto options = std::make_shared<PackOptions>();
-  CLI::App* command = app.add_subcommand(
-    "pack", "Sizes as .gtn and as .vtu, and times of writing; leaves the files");
+  CLI::App* command =
+    app.add_subcommand("pack", "Sizes as .gtn and as .vtu, and times of writing; leaves the files");
   command->add_option("IN", options->In, "A .vtu or .gtn file")->required();
   command->add_option("FOLDER", options->Folder, "Where the files go")->required();
   command->add_option("--rounds", options->Rounds, "Rounds, after one to warm up")

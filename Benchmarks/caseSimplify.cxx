@@ -129,8 +129,8 @@ std::vector<FieldSample> MakeSamples(
   return samples;
 }
 
-/** The root mean square difference of a grid's field from samples. A sample outside of the grid gets
- * the value of the nearest place in it. */
+/** The root mean square difference of a grid's field from samples. A sample outside of the grid
+ * gets the value of the nearest place in it. */
 double GetFieldError(const std::vector<FieldSample>& samples, vtkUnstructuredGrid* grid)
 {
   vtkDataArray* const array = grid->GetPointData()->GetArray(0);

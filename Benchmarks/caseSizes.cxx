@@ -149,7 +149,7 @@ void AddSizes(CLI::App& app)
   CLI::App* command =
     app.add_subcommand("sizes", "Print a table (CSV) of the sizes of made meshes, or check it");
   command->add_option("SCRATCH", *scratch, "A .gtn file to write")->required();
-  command->add_option("--check", *expected, 
+  command->add_option("--check", *expected,
     "Compare with this table in place of printing it, and check that threads make no difference");
   command->callback(
     [scratch, expected]

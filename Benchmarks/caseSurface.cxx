@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// make-surface: surfaces to be compressed. surface: their sizes and times of decoding as .vtp and by
-// meshoptimizer with zstd beside .gtn. Draco and OpenCTM are programs of their own, which report.py
-// starts on the file that surface leaves for them.
+// make-surface: surfaces to be compressed. surface: their sizes and times of decoding as .vtp and
+// by meshoptimizer with zstd beside .gtn. Draco and OpenCTM are programs of their own, which
+// report.py starts on the file that surface leaves for them.
 
 #include "benchCases.h"
 
@@ -258,8 +258,8 @@ void Restore(const Optimized& from)
   std::vector<float> values(3 * from.Points);
   if (meshopt_decodeIndexBuffer(corners.data(), corners.size(), sizeof(unsigned int),
         indices.data(), indices.size()) != 0 ||
-    meshopt_decodeVertexBuffer(values.data(), from.Points, 3 * sizeof(float),
-      vertices.data(), vertices.size()) != 0)
+    meshopt_decodeVertexBuffer(
+      values.data(), from.Points, 3 * sizeof(float), vertices.data(), vertices.size()) != 0)
   {
     throw Failure("meshoptimizer does not give its input back");
   }
@@ -324,11 +324,12 @@ void MeasureSurface(const SurfaceOptions& options)
 void AddSurface(CLI::App& app)
 {
   auto options = std::make_shared<SurfaceOptions>();
-  CLI::App* make = app.add_subcommand("make-surface", "Make the scan of a head, as a raw .vtp file");
+  CLI::App* make =
+    app.add_subcommand("make-surface", "Make the scan of a head, as a raw .vtp file");
   make->add_option("OUT", options->Out)->required();
   make->add_option("--triangles", options->Triangles, "About how many")
     ->check(CLI::Range(10, 100000000));
-  make->add_option("--mesh", options->In, 
+  make->add_option("--mesh", options->In,
     "The triangles of this .vtp file or of the boundary of this .vtu file instead, without arrays");
   make->callback([options] { MakeSurface(*options); });
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Tables 1 and 2 of the dissertation. table1: images of single blocks next to sums along the same rays.
-// table2: whole images next to those of a voxel-by-voxel ray caster.
+// Tables 1 and 2 of the dissertation. table1: images of single blocks next to sums along the same
+// rays. table2: whole images next to those of a voxel-by-voxel ray caster.
 
 #include "benchCases.h"
 #include "benchVolume.h"
@@ -308,8 +308,8 @@ void PrintTable2(const TableOptions& options)
   std::vector<std::vector<ReferencePixel>> references;
   for (const std::size_t i : { 1, 3 }) // the two of the table
   {
-    views.push_back(gatun::test::MakeTurnedView(
-      volume.GetSize(), GetPaperTurns()[i], pixels, options.Scale));
+    views.push_back(
+      gatun::test::MakeTurnedView(volume.GetSize(), GetPaperTurns()[i], pixels, options.Scale));
     references.push_back(CastReference(volume.GetReference(), views.back(), exponential, linear));
   }
   PrintJson(
@@ -326,8 +326,8 @@ void PrintTable2(const TableOptions& options)
         entry["block"] = static_cast<std::uint64_t>(block);
         for (std::size_t i = 0; i < views.size(); ++i)
         {
-          entry["exponential"].append(GetImageError(projector.Draw(views[i], exponential),
-            references[i], &ReferencePixel::Exponential));
+          entry["exponential"].append(GetImageError(
+            projector.Draw(views[i], exponential), references[i], &ReferencePixel::Exponential));
           entry["linear"].append(GetImageError(
             projector.Draw(views[i], linear), references[i], &ReferencePixel::Linear));
         }
@@ -350,7 +350,8 @@ void AddTables(CLI::App& app)
     command->add_option("--most-blocks", options->MostBlocks, "At most so many blocks (table1)");
     command->add_option("--rays", options->Rays, "About so many rays for each view (table1)")
       ->check(CLI::Range(1, 1000000000));
-    command->add_option("--opacity", options->Opacity, "Of a sample of the highest density (table2)")
+    command
+      ->add_option("--opacity", options->Opacity, "Of a sample of the highest density (table2)")
       ->check(CLI::Range(0.0001, 0.9999));
     command->add_option("--scale", options->Scale, "Pixels a voxel (table2)")
       ->check(CLI::Range(0.1, 16.0));

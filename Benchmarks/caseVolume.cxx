@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// volume: bits a voxel and errors of .ghv files and of zfp. volume-views: time for a view of a volume,
-// each from another side, by Gatun from its file and by VTK's mapper from voxels.
+// volume: bits a voxel and errors of .ghv files and of zfp. volume-views: time for a view of a
+// volume, each from another side, by Gatun from its file and by VTK's mapper from voxels.
 
 #include "benchCases.h"
 #include "benchVolume.h"
@@ -110,8 +110,8 @@ void AddZfp(Json::Value& json, const Volume& volume)
   }
   const auto run = [&](const char* name, ZfpMode mode, double value)
   {
-    AddPeer(json["zfp"][name], volume, value,
-      RunZfp(volume.GetVoxels(), volume.GetSize(), mode, value));
+    AddPeer(
+      json["zfp"][name], volume, value, RunZfp(volume.GetVoxels(), volume.GetSize(), mode, value));
   };
   for (int part = 1; part <= 11; ++part)
   {
