@@ -87,7 +87,7 @@ Grid LoadWith(const std::string& file)
 const std::vector<Format>& GetFormats()
 {
   static const std::vector<Format> formats{ { "gtn", false }, { "gtn-fast", false },
-    { "vtu-raw", false }, { "vtu-zlib", false }, { "vtu-lzma", true }, { "vtu-lzma-best", true } };
+    { "vtu-zlib", false }, { "vtu-lzma-best", true } };
   return formats;
 }
 

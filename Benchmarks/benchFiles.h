@@ -28,8 +28,9 @@ struct Format
 };
 
 /**
- * gtn with default settings, gtn-fast with FastArrays; vtu-raw, vtu-zlib and vtu-lzma with VTK's
- * default settings (appended, not in base64); vtu-lzma-best: level 9, 32-bit ids, blocks of 32 MiB.
+ * gtn with default settings, gtn-fast with FastArrays; vtu-zlib with VTK's default settings
+ * (appended, not in base64); vtu-lzma-best: level 9, 32-bit ids, blocks of 32 MiB. Write also takes
+ * vtu-raw, without compression.
  */
 const std::vector<Format>& GetFormats();
 

@@ -9,6 +9,8 @@
 
 #include "gatunParallel.h"
 
+#include "vtkType.h"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -31,6 +33,20 @@ struct TableOptions
   double Opacity = 0.1;
   double Scale = 0.47;
 };
+
+/** The coefficients, so finely quantized that images do not show it. */
+std::shared_ptr<const gatun::HartleySource> MakeExactSource(
+  const Volume& volume, std::uint32_t block)
+{
+  gatun::VolumeInput input = volume.GetInput();
+  input.Type = gatun::ScalarType::Float32; // integers would be rounded
+  input.VTKType = VTK_FLOAT;
+  input.Values = volume.GetVoxels().data();
+  gatun::HartleyRateControl control;
+  control.Mode = gatun::HartleyRateMode::RMSError;
+  control.Value = 1e-6 * volume.GetRange();
+  return gatun::HartleyVolume::Make(input, block, control);
+}
 
 /** A block that is looked at, and which rays of its picture. */
 struct Chosen
@@ -219,7 +235,7 @@ void PrintTable1(const TableOptions& options)
       json["blocks"] = Json::arrayValue;
       for (const std::uint32_t block : options.Blocks)
       {
-        const auto source = gatun::HartleyVolume::Make(volume.GetInput(), block, MakeQuality(0));
+        const auto source = MakeExactSource(volume, block);
         const auto chosen = ChooseBlocks(volume, source->GetLayout(), options.MostBlocks);
         gatun::HartleyProjector projector(source);
         Json::Value entry;
@@ -320,8 +336,7 @@ void PrintTable2(const TableOptions& options)
       json["blocks"] = Json::arrayValue;
       for (const std::uint32_t block : options.Blocks)
       {
-        gatun::HartleyProjector projector(
-          gatun::HartleyVolume::Make(volume.GetInput(), block, MakeQuality(0)));
+        gatun::HartleyProjector projector(MakeExactSource(volume, block));
         Json::Value entry;
         entry["block"] = static_cast<std::uint64_t>(block);
         for (std::size_t i = 0; i < views.size(); ++i)

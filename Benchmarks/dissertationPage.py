@@ -167,9 +167,9 @@ def _table1(results, _):
     largest = max(view["between"] for known in tables.values() for one in known["table1"]["blocks"]
                   for view in one["views"])
     return "## Table 1: images of blocks\n\n" + paragraph(f"""Mean square error of the image of a block, drawn from its
-        Hartley coefficients (lossless), against sums of samples along rays, the largest of which is 255, by
+        Hartley coefficients (not quantized), against sums of samples along rays, the largest of which is 255, by
         rotation about x, y and z in units of pi: the dissertation, then **ours**. The volumes differ. Against
-        exact line integrals our error is at most {small(max(lines))}; the sums themselves differ from the
+        exact line integrals our largest error is {small(max(lines))}; the sums themselves differ from the
         integrals by up to {small(largest)}.""") + "\n" + table(
             ["block", *(cell for view in VIEWS for cell in (view, "ours"))], rows)
 

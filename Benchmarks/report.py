@@ -123,8 +123,7 @@ def measure_files(runner, mode, meshes):
         rounds = mode["few"] if is_large or not is_tets else mode["rounds"]
         entry = {"name": name, "about": about, "tets": is_tets,
                  "pack": runner.case("pack", source, folder, "--rounds", 1 if is_large else mode["few"])}
-        forms = {"gtn": "gtn.gtn", "gtn-fast": "gtn-fast.gtn", "vtu-zlib": "vtu-zlib.vtu",
-                 "vtu-raw": "vtu-raw.vtu"}
+        forms = {"gtn": "gtn.gtn", "gtn-fast": "gtn-fast.gtn", "vtu-zlib": "vtu-zlib.vtu"}
         for threads in (0, 1) if name == "delaunay" else (0,):
             load = runner.case("load", *(folder / file for file in forms.values()), "--rounds", rounds,
                                threads=threads)
