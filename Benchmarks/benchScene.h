@@ -3,7 +3,7 @@
 #ifndef benchScene_h
 #define benchScene_h
 
-// What all pictures of the benchmarks show, whoever draws them.
+// What all images of the benchmarks show, whoever draws them.
 
 #include "gatunFileReader.h"
 #include "gatunRayTable.h"
@@ -19,8 +19,8 @@ class vtkVolumeProperty;
 
 namespace bench
 {
-/** Degrees that the camera goes on from one picture to the next. */
-inline constexpr double TurnOfPictures = 7;
+/** Degrees that the camera goes on from one image to the next. */
+inline constexpr double TurnOfImages = 7;
 
 /** A mesh's box and values, and how it is looked at: all of it, a little from above. */
 struct Scene
@@ -48,13 +48,6 @@ Scene MakeScene(const gatun::FileReader& file, const std::string& array);
 
 /** Which of a file's arrays it is. Throws Failure if there is none of that name. */
 std::uint32_t FindPointArray(const gatun::FileReader& file, const std::string& array);
-
-/** What there is to be seen in a picture, so that a wrong one does not pass for a fast one. */
-struct Seen
-{
-  double Covered = 0; ///< share of the pixels that show anything
-  double Mean = 0;    ///< of all colors, 0 to 1, on black
-};
 }
 
 #endif

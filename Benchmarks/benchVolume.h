@@ -56,7 +56,7 @@ public:
    * times the scale, of a pixel. */
   gatun::HartleyView MakeView(const Turns& turns, unsigned pixels, double scale) const;
 
-  /** Pixels of the smallest square picture that shows all of the volume from any side. */
+  /** Pixels of the smallest square image that shows all of the volume from any side. */
   unsigned GetPixels(double scale) const;
 
 private:

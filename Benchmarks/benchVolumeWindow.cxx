@@ -39,7 +39,7 @@ Vector InSpace(vtkImageData* image, const Vector& vector)
 
 double Length(const Vector& vector)
 {
-  return std::sqrt(gatun::test::Dot(vector, vector));
+  return std::hypot(vector[0], vector[1], vector[2]);
 }
 }
 

@@ -29,7 +29,7 @@ public:
   /** Draws what the view sees, and waits until it is drawn. */
   void Render(const gatun::HartleyView& view);
 
-  /** Mean of all colors of the last picture, 0 to 1. */
+  /** Mean of all colors of the last image, 0 to 1. */
   double GetMean();
 
 private:

@@ -84,29 +84,20 @@ void VolumeWindow::Render(double turn)
 }
 
 //------------------------------------------------------------------------------
-Seen VolumeWindow::Look()
+double VolumeWindow::GetMean()
 {
   const int* const extent = this->Window->GetSize();
   vtkNew<vtkUnsignedCharArray> pixels;
   this->Window->GetPixelData(0, 0, extent[0] - 1, extent[1] - 1, 0, pixels);
-  const vtkIdType count = pixels->GetNumberOfValues() / 3;
-  std::size_t covered = 0;
   double sum = 0;
-  for (vtkIdType i = 0; i < count; ++i)
+  for (vtkIdType i = 0; i < pixels->GetNumberOfValues(); ++i)
   {
-    int pixel = 0;
-    for (vtkIdType c = 0; c < 3; ++c)
-    {
-      pixel += pixels->GetValue(3 * i + c);
-    }
-    covered += pixel > 0 ? 1 : 0;
-    sum += pixel;
+    sum += pixels->GetValue(i);
   }
-  if (covered == 0)
+  if (sum <= 0)
   {
-    throw Failure("a picture is empty");
+    throw Failure("an image is empty");
   }
-  return { static_cast<double>(covered) / static_cast<double>(count),
-    sum / (3 * 255 * static_cast<double>(count)) };
+  return sum / (255 * static_cast<double>(pixels->GetNumberOfValues()));
 }
 }

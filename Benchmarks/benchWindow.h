@@ -39,8 +39,9 @@ public:
   /** Draws the volume from a place around it, and waits until it is drawn. */
   void Render(double turn = 0);
 
-  /** Of the last picture. */
-  Seen Look();
+  /** The mean of all colors of the last image, 0 to 1, so that a wrong one does not pass for a fast
+   * one. Throws Failure if it is black. */
+  double GetMean();
 
 private:
   Scene View;

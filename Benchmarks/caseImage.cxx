@@ -65,13 +65,13 @@ void MeasureImage(const ImageOptions& options)
         ShowGrid(window, false, Load(options.File), options);
       }
     });
-  const Seen seen = window.Look();
+  const double mean = window.GetMean();
   PrintJson(
     [&](Json::Value& json)
     {
       json["threads"] = gatun::GetNumberOfThreads();
       AddCost(json, cost);
-      json["mean"] = seen.Mean;
+      json["mean"] = mean;
     });
 }
 
@@ -87,8 +87,8 @@ void MeasureFrames(const ImageOptions& options)
     ShowGrid(*windows.back(), isGatun, grid, options);
     VolumeWindow& window = *windows.back();
     int& frame = frames[isGatun ? 0 : 1];
-    operations.push_back({ isGatun ? "gatun" : "vtk",
-      [&window, &frame] { window.Render(TurnOfPictures * ++frame); } });
+    operations.push_back(
+      { isGatun ? "gatun" : "vtk", [&window, &frame] { window.Render(TurnOfImages * ++frame); } });
   }
   RunInterleaved(operations, options.Rounds);
   PrintJson(
@@ -101,7 +101,7 @@ void MeasureFrames(const ImageOptions& options)
       {
         Json::Value& mapper = json["mappers"][operations[i].Name];
         AddList(mapper, "seconds", operations[i].Seconds);
-        mapper["mean"] = windows[i]->Look().Mean;
+        mapper["mean"] = windows[i]->GetMean();
       }
     });
 }

@@ -48,7 +48,7 @@ std::shared_ptr<const gatun::HartleySource> MakeExactSource(
   return gatun::HartleyVolume::Make(input, block, control);
 }
 
-/** A block that is looked at, and which rays of its picture. */
+/** A block that is looked at, and which rays of its image. */
 struct Chosen
 {
   std::size_t Chunk = 0;
@@ -145,7 +145,7 @@ std::vector<Chosen> ChooseBlocks(
   return found;
 }
 
-/** What the rays of some pictures came to. */
+/** What the rays of some images came to. */
 struct Sums
 {
   std::size_t Rays = 0;
@@ -165,24 +165,24 @@ struct Sums
 };
 
 /** Every so many-th ray that meets the block, beginning with another in each block. */
-Sums CompareRays(const gatun::HartleyProjector::BlockImage& picture, const ReferenceVolume& block,
+Sums CompareRays(const gatun::HartleyProjector::BlockImage& image, const ReferenceVolume& block,
   std::size_t number, std::size_t every)
 {
   Sums sums;
   std::size_t met = number;
-  for (unsigned row = 0; row < picture.Height; ++row)
+  for (unsigned row = 0; row < image.Height; ++row)
   {
-    for (unsigned column = 0; column < picture.Width; ++column)
+    for (unsigned column = 0; column < image.Width; ++column)
     {
-      const auto point = gatun::test::GetPixel(picture.View, column, row);
-      const auto part = block.Clip(point, picture.View.Step);
+      const auto point = gatun::test::GetPixel(image.View, column, row);
+      const auto part = block.Clip(point, image.View.Step);
       if (!(part.Begin < part.End) || met++ % every != 0)
       {
         continue;
       }
-      const double own = picture.Sums[row * std::size_t{ picture.Width } + column];
-      const double samples = block.SumSamples(point, picture.View.Step);
-      const double line = block.Integrate(point, picture.View.Step);
+      const double own = image.Sums[row * std::size_t{ image.Width } + column];
+      const double samples = block.SumSamples(point, image.View.Step);
+      const double line = block.Integrate(point, image.View.Step);
       ++sums.Rays;
       sums.Largest = std::max(sums.Largest, samples);
       sums.OfSamples += (own - samples) * (own - samples);
@@ -203,10 +203,10 @@ Sums CompareBlocks(const Volume& volume, const gatun::HartleySource& source,
   {
     const auto end = std::find_if(
       begin, chosen.end(), [&](const Chosen& block) { return block.Chunk != begin->Chunk; });
-    const auto pictures = projector.DrawBlocks(view, begin->Chunk);
+    const auto images = projector.DrawBlocks(view, begin->Chunk);
     if (every == 0)
     {
-      const auto& first = pictures.at(begin->InChunk);
+      const auto& first = images.at(begin->InChunk);
       const std::size_t rays = chosen.size() * first.Width * first.Height;
       every = std::max<std::size_t>(1, rays / mostRays);
     }
@@ -217,7 +217,7 @@ Sums CompareBlocks(const Volume& volume, const gatun::HartleySource& source,
         const Chosen& block = begin[static_cast<std::ptrdiff_t>(i)];
         const ReferenceVolume reference(
           volume.GetVoxels().data(), volume.GetSize(), source.GetBase(), block.First, block.End);
-        const Sums sums = CompareRays(pictures[block.InChunk], reference, block.InChunk, every);
+        const Sums sums = CompareRays(images[block.InChunk], reference, block.InChunk, every);
         const std::lock_guard lock(mutex);
         all.Add(sums);
       });

@@ -193,7 +193,7 @@ void MeasureViews(const VolumeOptions& options)
         WarmUpAndRunInterleaved(operations, options.Rounds);
         if (window.GetMean() <= 0)
         {
-          throw Failure("a picture is empty");
+          throw Failure("an image is empty");
         }
         for (const Operation& operation : operations)
         {
