@@ -45,6 +45,8 @@ target_compile_options(gatunBuildFlags INTERFACE
   "$<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wduplicated-cond;-Wlogical-op;-Wno-psabi>"
   # The walk joins conditions without branching on purpose.
   "$<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wno-bitwise-instead-of-logical>"
+  # In a unity build, an anonymous namespace is in an included file.
+  "$<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<COMPILE_LANG_AND_ID:CXX,GNU>>:-Wno-subobject-linkage>"
   "$<$<BOOL:${GATUN_WARNINGS_AS_ERRORS}>:-Werror>")
 
 # The code of tests need not be fast, but there is much of it to compile. The core that they test is

@@ -3,6 +3,7 @@
 
 #include "vtkGatunHartleyMapper.h"
 
+#include "gatunFrameClock.h"
 #include "gatunRayImage.h"
 #include "vtkGatunHartleyCoefficients.h"
 #include "vtkGatunHartleyProjection.h"
@@ -40,9 +41,6 @@ vtkStandardNewMacro(vtkGatunHartleyMapper);
 
 namespace
 {
-// Seconds. Images that are allocated as much are at rest.
-constexpr double LeastTimeAtRest = 10;
-
 constexpr double LargestDistance = 8;
 
 //------------------------------------------------------------------------------
@@ -179,7 +177,7 @@ double* vtkGatunHartleyMapper::GetBounds()
 double vtkGatunHartleyMapper::ChooseDistance(vtkVolume* volume, double pixels) const
 {
   const double allocated = volume->GetAllocatedRenderTime();
-  if (!this->AutoAdjustSampleDistances || !(allocated > 0 && allocated < LeastTimeAtRest))
+  if (!this->AutoAdjustSampleDistances || !(allocated > 0 && allocated < gatun::LeastTimeAtRest))
   {
     return 1;
   }

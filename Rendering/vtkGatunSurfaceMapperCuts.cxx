@@ -7,6 +7,7 @@
 
 #include "gatunError.h"
 #include "gatunFileReader.h"
+#include "gatunFrameClock.h"
 #include "gatunRayRendering.h"
 
 #include "vtkActor.h"
@@ -18,29 +19,21 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 
 namespace
 {
-using Clock = std::chrono::steady_clock;
-
 // Part of the budget for the transfer of chunks that change, as most visible ones do when the
 // camera moves.
 constexpr double TransferShare = 0.25;
 
 // Fewer would hardly be faster.
-constexpr std::uint64_t FewestPoints = 1000;
+constexpr std::uint64_t FewestCutPoints = 1000;
 
 // Numbers of points are powers of the fourth root of 2, so that about the same time gives the same
 // surface.
 constexpr double StepsOfPoints = 4;
-
-double SecondsSince(Clock::time_point begin)
-{
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 }
 
 //------------------------------------------------------------------------------
@@ -120,7 +113,7 @@ std::uint64_t vtkGatunSurfaceMapper::vtkInternals::CountPoints(double budget)
   const std::uint64_t all = this->Source.File->GetFile()->GetNumberOfPoints();
   const std::uint64_t cells =
     this->Times.CountCells(gatun::SurfaceTimes::Cut, (1 - TransferShare) * budget);
-  const std::uint64_t fits = std::min(all, std::max(FewestPoints, cells / 2));
+  const std::uint64_t fits = std::min(all, std::max(FewestCutPoints, cells / 2));
   const double step =
     std::floor(StepsOfPoints * std::log2(static_cast<double>(fits))) / StepsOfPoints;
   const auto points = static_cast<std::uint64_t>(std::exp2(step));
@@ -282,7 +275,7 @@ bool vtkGatunSurfaceMapper::vtkInternals::DrawCut(
   {
     return false;
   }
-  const auto begin = Clock::now();
+  const auto begin = gatun::FrameClock::now();
   const vtkIdType decodedBefore = this->Decoded;
   const View view = this->FindVisible(image, this->Cut.Chunks);
   this->Present = this->Levels.size();
@@ -290,7 +283,7 @@ bool vtkGatunSurfaceMapper::vtkInternals::DrawCut(
   image.Renderer->GetRenderWindow()->WaitForCompletion();
   if (this->Decoded == decodedBefore)
   {
-    this->Times.Learn(gatun::SurfaceTimes::Cut, view.Cells, SecondsSince(begin));
+    this->Times.Learn(gatun::SurfaceTimes::Cut, view.Cells, gatun::SecondsSince(begin));
   }
   return true;
 }

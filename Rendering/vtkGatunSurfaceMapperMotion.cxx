@@ -6,34 +6,24 @@
 #include "vtkGatunSurfaceMapperInternals.h"
 
 #include "gatunFileReader.h"
+#include "gatunFrameClock.h"
 
 #include "vtkActor.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace
 {
-// Seconds; more are allocated to an image at rest.
-constexpr double LeastTimeAtRest = 10;
-
 // Points of the coarsest level, which is decoded while somebody waits.
-constexpr std::uint64_t FewestPoints = 10000;
+constexpr std::uint64_t FewestLevelPoints = 10000;
 
 // Cells of a level that is prepared beyond what is visible.
 constexpr std::uint64_t MostCells = 2000000;
 
 // Images after which a chunk is transferred even if it takes too long.
 constexpr int MostWaiting = 10;
-
-using Clock = std::chrono::steady_clock;
-
-double SecondsSince(Clock::time_point begin)
-{
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 /** The visible cells of each level. */
 template <typename Views>
@@ -55,7 +45,7 @@ double vtkGatunSurfaceMapper::vtkInternals::GetBudget(const Image& image)
   // An actor within another one, as in ParaView, is allocated nothing.
   const double allocated =
     std::min(image.Actor->GetAllocatedRenderTime(), image.Renderer->GetAllocatedRenderTime());
-  if (!image.Mapper->JustInTime || !(allocated > 0 && allocated < LeastTimeAtRest))
+  if (!image.Mapper->JustInTime || !(allocated > 0 && allocated < gatun::LeastTimeAtRest))
   {
     return 0;
   }
@@ -79,7 +69,7 @@ void vtkGatunSurfaceMapper::vtkInternals::FindLevels()
       [drawn](std::uint32_t merges) { return merges > drawn; });
     const std::uint64_t all = file.GetNumberOfPoints();
     for (std::uint64_t points = (all - (wanted.empty() ? drawn : wanted.back())) / 2;
-         points >= FewestPoints / 2 && all - points <= file.GetNumberOfMerges(); points /= 2)
+         points >= FewestLevelPoints / 2 && all - points <= file.GetNumberOfMerges(); points /= 2)
     {
       wanted.push_back(static_cast<std::size_t>(all - points));
     }
@@ -188,7 +178,7 @@ void vtkGatunSurfaceMapper::vtkInternals::Prepare(
 double vtkGatunSurfaceMapper::vtkInternals::Transfer(
   const Image& image, Level& level, const View& view, double seconds)
 {
-  const auto begin = Clock::now();
+  const auto begin = gatun::FrameClock::now();
   ++this->Waiting;
   for (const std::uint32_t chunk : view.Chunks)
   {
@@ -198,20 +188,20 @@ double vtkGatunSurfaceMapper::vtkInternals::Transfer(
       continue;
     }
     const std::uint64_t cells = level.Mesh->GetNumberOfCells(chunk);
-    const double left = seconds - SecondsSince(begin);
+    const double left = seconds - gatun::SecondsSince(begin);
     if (this->Times.PredictTransfer(cells) > left && this->Waiting <= MostWaiting)
     {
       break;
     }
-    const auto start = Clock::now();
+    const auto start = gatun::FrameClock::now();
     self.Mapper->Transfer(image.Renderer, image.Actor);
     self.IsTransferred = true;
     self.Frame = this->Frame;
     this->Keep(image, self);
-    this->Times.LearnTransfer(cells, SecondsSince(start));
+    this->Times.LearnTransfer(cells, gatun::SecondsSince(start));
     this->Waiting = 0;
   }
-  return SecondsSince(begin);
+  return gatun::SecondsSince(begin);
 }
 
 //------------------------------------------------------------------------------
@@ -244,14 +234,14 @@ std::size_t vtkGatunSurfaceMapper::vtkInternals::FindReady(
 void vtkGatunSurfaceMapper::vtkInternals::DrawTimed(
   const Image& image, std::size_t shown, const View& view)
 {
-  const auto begin = Clock::now();
+  const auto begin = gatun::FrameClock::now();
   const vtkIdType decodedBefore = this->Decoded;
   this->Present = shown;
   this->DrawLevel(image, this->Levels[shown], view);
   image.Renderer->GetRenderWindow()->WaitForCompletion();
   if (this->Decoded == decodedBefore)
   {
-    this->Times.Learn(shown, view.Cells, SecondsSince(begin));
+    this->Times.Learn(shown, view.Cells, gatun::SecondsSince(begin));
   }
 }
 
@@ -286,7 +276,7 @@ vtkGatunSurfaceMapper::vtkInternals::LevelChoice vtkGatunSurfaceMapper::vtkInter
 {
   // VTK allocates the time later, and all of a window's to the renderers of an image.
   const double rate = renderer->GetRenderWindow()->GetDesiredUpdateRate();
-  if (!mapper->JustInTime || !(rate > 1 / LeastTimeAtRest))
+  if (!mapper->JustInTime || !(rate > 1 / gatun::LeastTimeAtRest))
   {
     return {};
   }

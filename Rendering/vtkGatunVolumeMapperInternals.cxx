@@ -6,6 +6,7 @@
 #include "gatunError.h"
 #include "gatunFileConsumer.h"
 #include "gatunFileReader.h"
+#include "gatunFrameClock.h"
 
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkErrorCode.h"
@@ -28,16 +29,6 @@
 using gatun::ImageSetup;
 using gatun::InputKind;
 using gatun::Viewport;
-
-namespace
-{
-
-//------------------------------------------------------------------------------
-// Seconds. Images that are allocated as much are at rest: what interacts allocates a second or
-// less, what waits, minutes.
-constexpr double LeastTimeAtRest = 10;
-
-} // anonymous namespace
 
 //------------------------------------------------------------------------------
 gatun::Viewport::Viewport(vtkRenderer* renderer)
@@ -288,7 +279,7 @@ gatun::FrameRequest vtkGatunVolumeMapper::vtkInternals::GetRequest(
   const Viewport viewport(renderer);
   gatun::FrameRequest request;
   const double allocated = volume->GetAllocatedRenderTime();
-  if (mapper->JustInTime && allocated > 0 && allocated < LeastTimeAtRest)
+  if (mapper->JustInTime && allocated > 0 && allocated < gatun::LeastTimeAtRest)
   {
     request.Budget = mapper->TimeBudget > 0 ? mapper->TimeBudget : allocated;
   }

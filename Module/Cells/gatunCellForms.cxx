@@ -12,11 +12,6 @@ namespace gatun
 {
 namespace
 {
-[[noreturn]] void ThrowShape()
-{
-  ThrowCorrupt("a shape of a cell is not a closed surface");
-}
-
 /** Gives the faces of a code to a builder. */
 void ReadFaces(std::span<const std::uint8_t> code, FormBuilder& form)
 {
@@ -33,7 +28,7 @@ void ReadFaces(std::span<const std::uint8_t> code, FormBuilder& form)
   }
   if (in.GetRemaining() > 0)
   {
-    ThrowShape();
+    FormBuilder::ThrowOpen();
   }
 }
 
@@ -71,7 +66,7 @@ CellForm::CellForm(const FormBuilder& builder)
 {
   if (!IsClosedSurface(this->GetSurface(), this->Corners))
   {
-    ThrowShape();
+    FormBuilder::ThrowOpen();
   }
   this->Family = FindFamily(*this);
   std::vector<std::uint16_t> sides(std::size_t{ this->Corners } * this->Corners);

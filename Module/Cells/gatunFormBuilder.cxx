@@ -6,12 +6,9 @@
 
 namespace gatun
 {
-namespace
-{
-[[noreturn]] void ThrowShape()
+void FormBuilder::ThrowOpen()
 {
   ThrowCorrupt("a shape of a cell is not a closed surface");
-}
 }
 
 //------------------------------------------------------------------------------
@@ -19,7 +16,7 @@ void FormBuilder::Begin(unsigned degree)
 {
   if (degree < 3 || degree > MaxSurfaceCorners)
   {
-    ThrowShape();
+    ThrowOpen();
   }
   for (unsigned i = 0; i < this->Corners; ++i)
   {
@@ -60,7 +57,7 @@ void FormBuilder::BeginFace(unsigned size)
 {
   if (size < 3 || size > MaxSurfaceCorners || this->FirstSides.size() > MaxSurfaceFaces)
   {
-    ThrowShape();
+    ThrowOpen();
   }
   this->Sides.push_back(this->Edge[0]);
   this->Sides.push_back(this->Edge[1]);
@@ -71,7 +68,7 @@ void FormBuilder::AddCorner(unsigned corner)
 {
   if (corner > this->Corners || corner >= MaxSurfaceCorners)
   {
-    ThrowShape();
+    ThrowOpen();
   }
   this->Corners += corner == this->Corners;
   this->Sides.push_back(static_cast<std::uint8_t>(corner));
@@ -87,7 +84,7 @@ void FormBuilder::AddCorner(unsigned corner)
     const auto to = this->Sides[first + (i + 1) % size];
     if (from == to || this->Edges[from][to])
     {
-      ThrowShape();
+      ThrowOpen();
     }
     this->Edges[from].set(to);
     this->Queue.push_back({ to, from });

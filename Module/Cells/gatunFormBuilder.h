@@ -22,6 +22,9 @@ class FormBuilder
 public:
   static constexpr unsigned None = 255;
 
+  /** Throws that a shape is not a closed surface. */
+  [[noreturn]] GATUN_EXPORT static void ThrowOpen();
+
   /** degree: of the gate. */
   GATUN_EXPORT void Begin(unsigned degree);
 

@@ -17,7 +17,7 @@ namespace gatun
 {
 namespace
 {
-using Place = std::array<int, 3>;
+using LatticePlace = std::array<int, 3>;
 
 /** The corners of an edge, triangle or quadrilateral. Its own lattice begins at the first corner, i
  * grows toward the second one, and j toward the last one. */
@@ -29,15 +29,15 @@ struct LatticePart
 
 struct LatticeParts
 {
-  std::span<const Place> Corners; // of order 1
+  std::span<const LatticePlace> Corners; // of order 1
   std::span<const LatticePart> Edges, Faces;
 };
 
-constexpr std::array<Place, 8> CubeCorners{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
-  { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } } };
-constexpr std::array<Place, 6> WedgeCorners{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
-  { 1, 0, 1 }, { 0, 1, 1 } } };
-constexpr std::array<Place, 4> TetraCorners{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
+constexpr std::array<LatticePlace, 8> CubeCorners{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 },
+  { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } } };
+constexpr std::array<LatticePlace, 6> WedgeCorners{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
+  { 0, 0, 1 }, { 1, 0, 1 }, { 0, 1, 1 } } };
+constexpr std::array<LatticePlace, 4> TetraCorners{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
   { 0, 0, 1 } } };
 
 constexpr std::array<LatticePart, 12> CubeEdges{ { { 2, { 0, 1 } }, { 2, { 1, 2 } },
@@ -51,16 +51,16 @@ constexpr std::array<LatticePart, 6> TetraEdges{ { { 2, { 0, 1 } }, { 2, { 1, 2 
 
 constexpr std::array<LatticePart, 6> CubeFaces{ { { 4, { 0, 3, 7, 4 } }, { 4, { 1, 2, 6, 5 } },
   { 4, { 0, 1, 5, 4 } }, { 4, { 3, 2, 6, 7 } }, { 4, { 0, 1, 2, 3 } }, { 4, { 4, 5, 6, 7 } } } };
-constexpr std::array<LatticePart, 5> WedgeFaces{ { { 3, { 0, 1, 2 } }, { 3, { 3, 4, 5 } },
+constexpr std::array<LatticePart, 5> WedgeFaceParts{ { { 3, { 0, 1, 2 } }, { 3, { 3, 4, 5 } },
   { 4, { 0, 1, 4, 3 } }, { 4, { 1, 2, 5, 4 } }, { 4, { 2, 0, 3, 5 } } } };
-constexpr std::array<LatticePart, 4> TetraFaces{ { { 3, { 0, 1, 3 } }, { 3, { 2, 3, 1 } },
+constexpr std::array<LatticePart, 4> TetraFaceParts{ { { 3, { 0, 1, 3 } }, { 3, { 2, 3, 1 } },
   { 3, { 0, 3, 2 } }, { 3, { 0, 2, 1 } } } };
 constexpr LatticePart TriangleFace{ 3, { 0, 1, 2 } };
 constexpr LatticePart QuadFace{ 4, { 0, 1, 2, 3 } };
 
 LatticeParts GetParts(LatticeShape shape)
 {
-  const std::span<const Place> cube(CubeCorners), wedge(WedgeCorners);
+  const std::span<const LatticePlace> cube(CubeCorners), wedge(WedgeCorners);
   switch (shape)
   {
     case LatticeShape::Curve:
@@ -71,9 +71,9 @@ LatticeParts GetParts(LatticeShape shape)
     case LatticeShape::Quad:
       return { cube.first(4), std::span<const LatticePart>(CubeEdges).first(4), { &QuadFace, 1 } };
     case LatticeShape::Tetra:
-      return { TetraCorners, TetraEdges, TetraFaces };
+      return { TetraCorners, TetraEdges, TetraFaceParts };
     case LatticeShape::Wedge:
-      return { wedge, WedgeEdges, WedgeFaces };
+      return { wedge, WedgeEdges, WedgeFaceParts };
     default:
       return { cube, CubeEdges, CubeFaces };
   }
@@ -91,9 +91,9 @@ public:
   {
   }
 
-  Place Get(int i, int j = 0) const
+  LatticePlace Get(int i, int j = 0) const
   {
-    Place place{};
+    LatticePlace place{};
     for (unsigned a = 0; a < 3; ++a)
     {
       place[a] = this->Order * this->Begin[a] + i * this->Right[a] + j * this->Up[a];
@@ -102,12 +102,12 @@ public:
   }
 
 private:
-  static Place Subtract(const Place& a, const Place& b)
+  static LatticePlace Subtract(const LatticePlace& a, const LatticePlace& b)
   {
     return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
   }
 
-  const Place Begin, Right, Up;
+  const LatticePlace Begin, Right, Up;
   const int Order;
 };
 
@@ -159,14 +159,14 @@ void ForEachInSolid(LatticeShape shape, int order, GetEnd&& getEnd, Use&& use)
 
 /** The points of a lattice in VTK's order. What is inside of triangles and tetrahedra is numbered
  * like a smaller one, except on wedges. */
-std::vector<Place> ListPlaces(LatticeShape shape, int order)
+std::vector<LatticePlace> ListPlaces(LatticeShape shape, int order)
 {
   if (order <= 0)
   {
-    return std::vector<Place>(order == 0 ? 1 : 0);
+    return std::vector<LatticePlace>(order == 0 ? 1 : 0);
   }
   const auto parts = GetParts(shape);
-  std::vector<Place> places;
+  std::vector<LatticePlace> places;
   for (const auto& corner : parts.Corners)
   {
     places.push_back({ order * corner[0], order * corner[1], order * corner[2] });
@@ -250,13 +250,16 @@ public:
   }
 
 private:
-  std::size_t GetIndex(const Place& place) const
+  std::size_t GetIndex(const LatticePlace& place) const
   {
     const auto size = this->Order + 1;
     return static_cast<std::size_t>((place[2] * size + place[1]) * size + place[0]);
   }
 
-  std::uint16_t GetNumber(const Place& place) const { return this->Numbers[this->GetIndex(place)]; }
+  std::uint16_t GetNumber(const LatticePlace& place) const
+  {
+    return this->Numbers[this->GetIndex(place)];
+  }
 
   static void SetWeights(CellNode& node, std::initializer_list<int> weights)
   {
@@ -267,7 +270,7 @@ private:
     }
   }
 
-  CellNode MakeNode(CellNode::Kind kind, const Place& place) const
+  CellNode MakeNode(CellNode::Kind kind, const LatticePlace& place) const
   {
     CellNode node;
     node.Where = kind;
@@ -279,7 +282,7 @@ private:
     return node;
   }
 
-  CellNode MakeNode(const LatticePart& part, CellNode::Kind kind, const Place& place) const
+  CellNode MakeNode(const LatticePart& part, CellNode::Kind kind, const LatticePlace& place) const
   {
     auto node = this->MakeNode(kind, place);
     for (unsigned i = 0; i < part.Size; ++i)
@@ -337,9 +340,9 @@ private:
 
   /** Of wedges, lines run from triangle to triangle, where points of straight cells are at equal
    * distances from each other. */
-  Place GetPlace(int a, int b, int c) const
+  LatticePlace GetPlace(int a, int b, int c) const
   {
-    return this->Shape == LatticeShape::Wedge ? Place{ b, c, a } : Place{ a, b, c };
+    return this->Shape == LatticeShape::Wedge ? LatticePlace{ b, c, a } : LatticePlace{ a, b, c };
   }
 
   /** Where a line of a solid ends; 0 if there is none. */

@@ -70,7 +70,7 @@ void SortByPlace(Order& order, const CellList& cells, const Bounds& box,
 
 /** Runs the walk that the flags name. Returns its border. */
 template <typename Coder, typename Side>
-ClosedFaces Walk(unsigned flags, Coder& coder, CellBuilder<Side>& mesh,
+ClosedFaces WalkCells(unsigned flags, Coder& coder, CellBuilder<Side>& mesh,
   AttachedNodes<Coder, Side>& nodes, const FormTable& forms, PolygonTruth* truth)
 {
   if ((flags & FlagHexahedra) != 0)
@@ -115,7 +115,7 @@ CellAttempt TryCells(const CellInput& input, bool withWalks, Sort&& sort)
     PolygonTruth truth(input.Cells, input.Forms);
     others = truth.GetOthers();
     flags |= truth.IsOfHexahedra() ? FlagHexahedra : 0;
-    const auto borders = Walk(flags, coder, mesh, nodes, input.Forms, &truth);
+    const auto borders = WalkCells(flags, coder, mesh, nodes, input.Forms, &truth);
     MarkTruth marks(input.Cells, others);
     if (marks.HasCells())
     {
@@ -264,7 +264,7 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,
   if ((flags & FlagWalk) != 0)
   {
     const auto forms = shapes.GetForms();
-    const auto borders = Walk(flags, symbols, builder, nodes, *forms, nullptr);
+    const auto borders = WalkCells(flags, symbols, builder, nodes, *forms, nullptr);
     if ((flags & FlagMarks) != 0)
     {
       FaceMarks(symbols, builder, nodes).Run(borders, nullptr);

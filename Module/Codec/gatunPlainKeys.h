@@ -99,6 +99,14 @@ public:
     }
   }
 
+  /** The key of a number that is rounded to a floating type. */
+  static Key RoundToFloating(ScalarType type, double number)
+  {
+    return type == ScalarType::Float32
+      ? FromRaw(type, std::bit_cast<std::uint32_t>(static_cast<float>(number)))
+      : FromRaw(type, std::bit_cast<std::uint64_t>(number));
+  }
+
   /** The key closest to a finite number. */
   static Key FromNumber(ScalarType type, double number)
   {

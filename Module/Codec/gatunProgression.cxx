@@ -4,7 +4,6 @@
 #include "gatunProgression.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -14,14 +13,6 @@ namespace gatun
 {
 namespace
 {
-/** The key of a number that is rounded to a floating type. */
-Key RoundToKey(ScalarType type, double number)
-{
-  return type == ScalarType::Float64
-    ? Domain::FromRaw(type, std::bit_cast<std::uint64_t>(number))
-    : Domain::FromRaw(type, std::bit_cast<std::uint32_t>(static_cast<float>(number)));
-}
-
 /** How far a number may be from the value that it is rounded to, at most. */
 double GetRoundingError(ScalarType type, double value)
 {
@@ -104,7 +95,7 @@ Palette Progression::MakeKeys(ScalarType type) const
   Palette keys(this->Count);
   for (std::size_t i = 0; i < keys.size(); ++i)
   {
-    keys[i] = RoundToKey(type, this->Origin + static_cast<double>(i) * this->Step);
+    keys[i] = PlainKeys::RoundToFloating(type, this->Origin + static_cast<double>(i) * this->Step);
   }
   return keys;
 }

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 
 namespace gatun
@@ -26,14 +25,6 @@ constexpr std::array PowersOfTen{ 1e-22, 1e-21, 1e-20, 1e-19, 1e-18, 1e-17, 1e-1
 
 /** Fixed: the largest multiple of the step. */
 constexpr Key MaxMultiple = Key{ 1 } << 53;
-
-/** The key of a number that is rounded to a floating type. */
-Key RoundToKey(ScalarType type, double number)
-{
-  return type == ScalarType::Float32
-    ? PlainKeys::FromRaw(type, std::bit_cast<std::uint32_t>(static_cast<float>(number)))
-    : PlainKeys::FromRaw(type, std::bit_cast<std::uint64_t>(number));
-}
 }
 
 //------------------------------------------------------------------------------
@@ -132,7 +123,7 @@ Key ScaledKeys::ToPlain(Key key) const
     const Key low = (Key{ 1 } << this->Steps.Digits) - 1;
     return key << this->Steps.Digits | (isInverted ? low : 0);
   }
-  return RoundToKey(this->Type, this->ToNumber(key));
+  return PlainKeys::RoundToFloating(this->Type, this->ToNumber(key));
 }
 
 //------------------------------------------------------------------------------

@@ -26,7 +26,7 @@ std::vector<std::uint32_t> GetAscending(ByteReader& in, std::uint32_t most)
   return numbers;
 }
 
-void PutAscending(ByteWriter& out, const std::vector<std::uint32_t>& numbers)
+void PutMergeNumbers(ByteWriter& out, const std::vector<std::uint32_t>& numbers)
 {
   out.PutVarint(numbers.size());
   for (const auto number : numbers)
@@ -50,7 +50,7 @@ Bytes TreeTable::Write() const
   ByteWriter out;
   out.PutVarint(this->Merges);
   PutStream(out, this->Stream);
-  PutAscending(out, this->Rungs);
+  PutMergeNumbers(out, this->Rungs);
   for (const auto& rungs : this->Boxes)
   {
     for (const Bounds& box : rungs)
@@ -61,7 +61,7 @@ Bytes TreeTable::Write() const
       }
     }
   }
-  PutAscending(out, this->Levels);
+  PutMergeNumbers(out, this->Levels);
   return Pack(out, SmallTable);
 }
 

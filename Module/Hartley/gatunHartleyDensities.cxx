@@ -17,8 +17,6 @@ namespace
 {
 using Triple = HartleyLayout::Triple;
 
-constexpr std::size_t Lanes = ComplexLanes::Count;
-
 //------------------------------------------------------------------------------
 /**
  * The inverse transform of one block, by way of its Fourier spectrum: eight lines at a time along
@@ -87,9 +85,9 @@ private:
     // Half of an even size is its own opposite up to the sign.
     const float sign = (2 * kz == nz) != (2 * ky == ny) ? -1.0f : 1.0f;
     bool any = false;
-    for (std::size_t i = 0; i < Lanes; ++i)
+    for (std::size_t i = 0; i < ComplexLanes::Count; ++i)
     {
-      const std::size_t kx = group * Lanes + i;
+      const std::size_t kx = group * ComplexLanes::Count + i;
       if (2 * kx > nx)
       {
         to.Re[i] = to.Im[i] = 0;
@@ -131,9 +129,9 @@ private:
   void TransformSlice(const LaneFourier& alongY, const LaneFourier& alongX, std::size_t z)
   {
     const std::size_t height = this->Block[1];
-    const std::size_t stored = ComplexLanes::CountGroups(height) * Lanes;
-    Line line(std::max(height, this->Block[0] + Lanes)), room(line.size());
-    Line plane(this->Groups * (stored + Lanes));
+    const std::size_t stored = ComplexLanes::CountGroups(height) * ComplexLanes::Count;
+    Line line(std::max(height, this->Block[0] + ComplexLanes::Count)), room(line.size());
+    Line plane(this->Groups * (stored + ComplexLanes::Count));
     for (std::size_t group = 0; group < this->Groups; ++group)
     {
       for (std::size_t ky = 0; ky < height; ++ky)
@@ -142,36 +140,36 @@ private:
       }
       this->Loops.Turn(line.data(), this->Turns[1].data(), height);
       const ComplexLanes* const found = alongY.Inverse(line.data(), room.data());
-      std::copy_n(found, height, plane.data() + group * (stored + Lanes));
+      std::copy_n(found, height, plane.data() + group * (stored + ComplexLanes::Count));
     }
     // Two real rows at a time in each lane.
-    Line first(this->Groups * Lanes), second(first.size());
-    for (std::size_t y = 0; y < this->Size[1]; y += 2 * Lanes)
+    Line first(this->Groups * ComplexLanes::Count), second(first.size());
+    for (std::size_t y = 0; y < this->Size[1]; y += 2 * ComplexLanes::Count)
     {
       this->LoadRows(plane, stored, y, first);
-      this->LoadRows(plane, stored, y + Lanes, second);
+      this->LoadRows(plane, stored, y + ComplexLanes::Count, second);
       const std::size_t width = this->Block[0];
       this->Loops.Join(first.data(), second.data(), (width + 1) / 2, width, line.data());
       if (width % 2 == 0)
       {
-        std::copy_n(first[width / 2].Re, Lanes, line[width / 2].Re);
-        std::copy_n(second[width / 2].Re, Lanes, line[width / 2].Im);
+        std::copy_n(first[width / 2].Re, ComplexLanes::Count, line[width / 2].Re);
+        std::copy_n(second[width / 2].Re, ComplexLanes::Count, line[width / 2].Im);
       }
       const ComplexLanes* const found = alongX.Inverse(line.data(), room.data());
       this->StoreRows(found->Re, y, z);
-      this->StoreRows(found->Im, y + Lanes, z);
+      this->StoreRows(found->Im, y + ComplexLanes::Count, z);
     }
   }
 
   /** The frequencies along x of eight rows. */
   void LoadRows(const Line& plane, std::size_t stored, std::size_t y, Line& to) const
   {
-    constexpr std::size_t next = 2 * Lanes;
+    constexpr std::size_t next = 2 * ComplexLanes::Count;
     for (std::size_t group = 0; group < this->Groups; ++group)
     {
-      const ComplexLanes* const from = plane.data() + group * (stored + Lanes) + y;
-      this->Loops.Transpose(from->Re, next, to[group * Lanes].Re, next);
-      this->Loops.Transpose(from->Im, next, to[group * Lanes].Im, next);
+      const ComplexLanes* const from = plane.data() + group * (stored + ComplexLanes::Count) + y;
+      this->Loops.Transpose(from->Re, next, to[group * ComplexLanes::Count].Re, next);
+      this->Loops.Transpose(from->Im, next, to[group * ComplexLanes::Count].Im, next);
     }
     this->Loops.Turn(to.data(), this->Turns[0].data(), this->Block[0] / 2 + 1);
   }
@@ -179,14 +177,15 @@ private:
   /** Stores the voxels of eight rows. */
   void StoreRows(const float* from, std::size_t y, std::size_t z)
   {
-    constexpr std::size_t next = 2 * Lanes;
+    constexpr std::size_t next = 2 * ComplexLanes::Count;
     const std::size_t width = this->Size[0];
-    const std::size_t rows = y < this->Size[1] ? std::min(Lanes, this->Size[1] - y) : 0;
+    const std::size_t rows =
+      y < this->Size[1] ? std::min(ComplexLanes::Count, this->Size[1] - y) : 0;
     float* const to = this->Voxels.data() + (z * this->Size[1] + y) * width;
     std::size_t x = 0;
-    if (rows == Lanes)
+    if (rows == ComplexLanes::Count)
     {
-      for (; x + Lanes <= width; x += Lanes)
+      for (; x + ComplexLanes::Count <= width; x += ComplexLanes::Count)
       {
         this->Loops.Transpose(from + x * next, next, to + x, width);
       }
@@ -329,12 +328,12 @@ private:
   void TransformRows(std::span<const float> image, std::size_t width, std::size_t height)
   {
     const LaneFourier fourier(this->Width);
-    std::vector<ComplexLanes> line(ComplexLanes::CountGroups(this->Width) * Lanes),
+    std::vector<ComplexLanes> line(ComplexLanes::CountGroups(this->Width) * ComplexLanes::Count),
       room(line.size());
-    for (std::size_t first = 0; first < height; first += Lanes)
+    for (std::size_t first = 0; first < height; first += ComplexLanes::Count)
     {
       std::fill(line.begin(), line.end(), ComplexLanes{});
-      for (std::size_t i = 0; i < Lanes && first + i < height; ++i)
+      for (std::size_t i = 0; i < ComplexLanes::Count && first + i < height; ++i)
       {
         for (std::size_t x = 0; x < width; ++x)
         {
@@ -344,11 +343,11 @@ private:
       const ComplexLanes* const found = fourier.Forward(line.data(), room.data());
       for (std::size_t u = 0; u < this->Width; ++u)
       {
-        for (std::size_t i = 0; i < Lanes && first + i < height; ++i)
+        for (std::size_t i = 0; i < ComplexLanes::Count && first + i < height; ++i)
         {
-          ComplexLanes& to = this->Plane[u / Lanes * this->Height + first + i];
-          to.Re[u % Lanes] = found[u].Re[i];
-          to.Im[u % Lanes] = found[u].Im[i];
+          ComplexLanes& to = this->Plane[u / ComplexLanes::Count * this->Height + first + i];
+          to.Re[u % ComplexLanes::Count] = found[u].Re[i];
+          to.Im[u % ComplexLanes::Count] = found[u].Im[i];
         }
       }
     }
@@ -366,9 +365,10 @@ private:
         fourier.Forward(this->Plane.data() + group * this->Height, room.data());
       for (std::size_t v = 0; v < this->Height; ++v)
       {
-        for (std::size_t i = 0; i < Lanes && group * Lanes + i < this->Width; ++i)
+        for (std::size_t i = 0;
+             i < ComplexLanes::Count && group * ComplexLanes::Count + i < this->Width; ++i)
         {
-          const double fu = GetFrequency(group * Lanes + i, this->Width);
+          const double fu = GetFrequency(group * ComplexLanes::Count + i, this->Width);
           const double fv = GetFrequency(v, this->Height);
           const double square = static_cast<double>(found[v].Re[i]) * found[v].Re[i] +
             static_cast<double>(found[v].Im[i]) * found[v].Im[i];

@@ -12,7 +12,7 @@ namespace gatun
 {
 namespace
 {
-constexpr std::size_t Lanes = 8;
+constexpr std::size_t StencilLanes = 8;
 
 // Voxels with a weight in a lattice point or, across, in two neighboring ones: as many as are
 // within 2 + |shear|.
@@ -104,7 +104,7 @@ public:
     this->Arrange(voxels);
     const auto& stencil = this->Stencil;
     const std::size_t width = stencil.Lattice.Points[0];
-    float sums[2 * Lanes * GroupsAtOnce];
+    float sums[2 * StencilLanes * GroupsAtOnce];
     for (std::size_t row = 0; row < stencil.Lattice.Points[1]; ++row)
     {
       for (std::size_t i = 0; i < stencil.RunsPerRow; ++i)
@@ -112,9 +112,9 @@ public:
         const Run& run = stencil.Runs[row * stencil.RunsPerRow + i];
         this->Kernel.Project(this->Padded.data(), stencil.Taps.data() + run.FirstTap,
           run.EndTap - run.FirstTap, run.Groups, sums);
-        const std::size_t first = i * 2 * Lanes * GroupsAtOnce;
-        std::copy_n(
-          sums, std::min(width - first, 2 * Lanes * run.Groups), image + row * width + first);
+        const std::size_t first = i * 2 * StencilLanes * GroupsAtOnce;
+        std::copy_n(sums, std::min(width - first, 2 * StencilLanes * run.Groups),
+          image + row * width + first);
       }
     }
   }
@@ -200,10 +200,10 @@ HartleyStencil::Start HartleyStencil::GetStart(
 void HartleyStencil::ListTaps()
 {
   const std::size_t pairs = (this->Lattice.Points[0] + 1) / 2;
-  const std::size_t groups = (pairs + Lanes - 1) / Lanes;
+  const std::size_t groups = (pairs + StencilLanes - 1) / StencilLanes;
   this->RunsPerRow = (groups + GroupsAtOnce - 1) / GroupsAtOnce;
   // Taps without a voxel are left out, so that others begin and end at most so far outside.
-  this->Margin = Lanes * std::min(groups, GroupsAtOnce);
+  this->Margin = StencilLanes * std::min(groups, GroupsAtOnce);
   for (std::size_t plane = 0; plane < this->Size[2]; ++plane)
   {
     for (std::size_t parity = 0; parity < 2; ++parity)
@@ -231,7 +231,7 @@ void HartleyStencil::ListTaps()
       Run run{ this->Taps.size(), 0, count };
       for (std::size_t plane = 0; plane < this->Size[2]; ++plane)
       {
-        this->AddTaps(row, plane, first * Lanes, count);
+        this->AddTaps(row, plane, first * StencilLanes, count);
       }
       run.EndTap = this->Taps.size();
       this->Runs.push_back(run);
@@ -258,7 +258,7 @@ void HartleyStencil::AddTaps(
     for (std::size_t i = 0; i < Across; ++i, weights += 2)
     {
       const std::ptrdiff_t first = left + static_cast<std::ptrdiff_t>(i);
-      const std::ptrdiff_t end = first + static_cast<std::ptrdiff_t>(groups * Lanes);
+      const std::ptrdiff_t end = first + static_cast<std::ptrdiff_t>(groups * StencilLanes);
       if (j < 0 || j >= height || first >= width || end <= 0 ||
         (weights[0] == 0 && weights[1] == 0))
       {

@@ -14,8 +14,6 @@ namespace gatun
 {
 namespace
 {
-constexpr std::size_t Lanes = ComplexLanes::Count;
-
 // The largest absolute value in half precision. Values far below 1 lose digits.
 constexpr double LargestHalf = 32768;
 
@@ -41,7 +39,10 @@ public:
   }
 
   /** The memory of a line, with that of its transform. */
-  std::size_t GetLength() const { return std::max(this->Fourier.GetSize(), this->Voxels + Lanes); }
+  std::size_t GetLength() const
+  {
+    return std::max(this->Fourier.GetSize(), this->Voxels + ComplexLanes::Count);
+  }
 
   std::size_t GetStored() const { return static_cast<std::size_t>(this->Last - this->First + 1); }
 
@@ -144,7 +145,7 @@ std::uint64_t VolumeSpectrumPlan::GetWorkingBytes() const
   const auto get = [&](std::size_t axis)
   { return static_cast<std::uint64_t>(this->Highest[axis]); };
   return (get(0) + more) * (2 * get(1) + more) * ComplexLanes::CountGroups(this->Size[2]) * 2 *
-    Lanes * sizeof(std::uint16_t);
+    ComplexLanes::Count * sizeof(std::uint16_t);
 }
 
 //------------------------------------------------------------------------------
@@ -200,7 +201,8 @@ public:
   void TransformSlices(const std::function<bool(double)>& progress)
   {
     const std::size_t groups = ComplexLanes::CountGroups(this->Size[2]);
-    this->Slices.resize(groups * this->X.GetStored() * this->Y.GetStored() * 2 * Lanes);
+    this->Slices.resize(
+      groups * this->X.GetStored() * this->Y.GetStored() * 2 * ComplexLanes::Count);
     ParallelFor(
       groups, [&](std::size_t group) { this->TransformSlicesOf(group); }, progress);
   }
@@ -217,22 +219,22 @@ private:
   /** Eight rows of voxels, one of each slice of a group. */
   void LoadRows(std::size_t group, std::size_t y, float* to) const
   {
-    constexpr std::size_t next = 2 * Lanes;
+    constexpr std::size_t next = 2 * ComplexLanes::Count;
     const std::size_t slice = this->Size[0] * this->Size[1];
-    const std::size_t first = group * Lanes;
-    const std::size_t count = std::min(Lanes, this->Size[2] - first);
+    const std::size_t first = group * ComplexLanes::Count;
+    const std::size_t count = std::min(ComplexLanes::Count, this->Size[2] - first);
     const float* const from = this->Voxels.data() + first * slice + y * this->Size[0];
     std::size_t x = 0;
-    if (count == Lanes)
+    if (count == ComplexLanes::Count)
     {
-      for (; x + Lanes <= this->Size[0]; x += Lanes)
+      for (; x + ComplexLanes::Count <= this->Size[0]; x += ComplexLanes::Count)
       {
         this->Loops.Transpose(from + x, slice, to + x * next, next);
       }
     }
     for (; x < this->Size[0]; ++x)
     {
-      for (std::size_t i = 0; i < Lanes; ++i)
+      for (std::size_t i = 0; i < ComplexLanes::Count; ++i)
       {
         to[x * next + i] = i < count ? from[i * slice + x] : 0;
       }
@@ -258,7 +260,7 @@ private:
       {
         for (std::size_t x = 0; x < this->Size[0]; ++x)
         {
-          std::fill_n(line[x].Im, Lanes, 0.0f);
+          std::fill_n(line[x].Im, ComplexLanes::Count, 0.0f);
         }
       }
       const ComplexLanes* const found = this->X.Run(line.data(), room.data());
@@ -274,39 +276,39 @@ private:
     {
       std::copy_n(plane.data() + u * (height + 1), height, line.data());
       this->Y.Run(line.data(), room.data(), out.data());
-      this->Loops.ToHalf(out[0].Re, rows * 2 * Lanes, scale,
-        this->Slices.data() + (group * columns + u) * rows * 2 * Lanes);
+      this->Loops.ToHalf(out[0].Re, rows * 2 * ComplexLanes::Count, scale,
+        this->Slices.data() + (group * columns + u) * rows * 2 * ComplexLanes::Count);
     }
   }
 
   void TransformAlongOf(std::size_t u)
   {
-    constexpr std::size_t next = 2 * Lanes;
+    constexpr std::size_t next = 2 * ComplexLanes::Count;
     const std::size_t groups = ComplexLanes::CountGroups(this->Size[2]);
     const std::size_t columns = this->X.GetStored();
     const std::size_t rows = this->Y.GetStored();
     const std::size_t depth = this->Z.GetStored();
     Line line(this->Z.GetLength()), room(line.size());
-    Line out(ComplexLanes::CountGroups(depth) * Lanes), loaded(Lanes);
+    Line out(ComplexLanes::CountGroups(depth) * ComplexLanes::Count), loaded(ComplexLanes::Count);
     const auto scale = static_cast<float>(this->SliceScale / this->Spectrum.Scale);
-    for (std::size_t from = 0; from < rows; from += Lanes)
+    for (std::size_t from = 0; from < rows; from += ComplexLanes::Count)
     {
       // The last lines may overlap those before.
-      const std::size_t v = std::min(from, rows - Lanes);
+      const std::size_t v = std::min(from, rows - ComplexLanes::Count);
       for (std::size_t group = 0; group < groups; ++group)
       {
         this->Loops.FromHalf(this->Slices.data() + ((group * columns + u) * rows + v) * next,
-          Lanes * next, loaded[0].Re);
-        this->Loops.Transpose(loaded[0].Re, next, line[group * Lanes].Re, next);
-        this->Loops.Transpose(loaded[0].Im, next, line[group * Lanes].Im, next);
+          ComplexLanes::Count * next, loaded[0].Re);
+        this->Loops.Transpose(loaded[0].Re, next, line[group * ComplexLanes::Count].Re, next);
+        this->Loops.Transpose(loaded[0].Im, next, line[group * ComplexLanes::Count].Im, next);
       }
       this->Z.Run(line.data(), room.data(), out.data());
       std::uint16_t* const to =
         this->Spectrum.Values.data() + 2 * static_cast<std::size_t>(u * rows + v) * depth;
-      for (std::size_t w = 0; w < depth; w += Lanes)
+      for (std::size_t w = 0; w < depth; w += ComplexLanes::Count)
       {
-        this->Loops.StoreRows(
-          out.data() + w, scale, Lanes, std::min(Lanes, depth - w), to + 2 * w, 2 * depth);
+        this->Loops.StoreRows(out.data() + w, scale, ComplexLanes::Count,
+          std::min(ComplexLanes::Count, depth - w), to + 2 * w, 2 * depth);
       }
     }
   }

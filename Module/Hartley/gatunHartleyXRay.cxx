@@ -17,8 +17,6 @@ namespace gatun
 {
 namespace
 {
-constexpr std::size_t Lanes = ComplexLanes::Count;
-
 // Lattice points for each period of the highest frequency, divided by 2.
 constexpr double Oversampling = 2;
 
@@ -128,16 +126,16 @@ public:
     const Side& row = this->Sides[1];
     const std::size_t groups =
       ComplexLanes::CountGroups(static_cast<std::size_t>(column.Highest) + 1);
-    this->Columns.resize(ComplexLanes::CountGroups(row.Count) * groups * Lanes);
+    this->Columns.resize(ComplexLanes::CountGroups(row.Count) * groups * ComplexLanes::Count);
     const LaneFourier fourier(row.Points);
     ParallelFor(groups,
       [&](std::size_t group)
       {
-        std::vector<ComplexLanes> line(row.Points), room(row.Points), some(Lanes);
+        std::vector<ComplexLanes> line(row.Points), room(row.Points), some(ComplexLanes::Count);
         std::vector<HartleySample> samples(2 * static_cast<std::size_t>(row.Highest) + 1);
-        for (std::size_t lane = 0; lane < Lanes; ++lane)
+        for (std::size_t lane = 0; lane < ComplexLanes::Count; ++lane)
         {
-          const auto u = static_cast<std::ptrdiff_t>(group * Lanes + lane);
+          const auto u = static_cast<std::ptrdiff_t>(group * ComplexLanes::Count + lane);
           if (u <= column.Highest)
           {
             this->Loops.Sample(samples.data(), this->List(u, lane, samples),
@@ -146,15 +144,18 @@ public:
           }
         }
         const ComplexLanes* const found = fourier.Inverse(line.data(), room.data());
-        for (std::size_t first = 0; first < row.Count; first += Lanes)
+        for (std::size_t first = 0; first < row.Count; first += ComplexLanes::Count)
         {
-          for (std::size_t i = 0; i < Lanes; ++i)
+          for (std::size_t i = 0; i < ComplexLanes::Count; ++i)
           {
             some[i] = found[row.GetIndex(first + i)];
           }
-          ComplexLanes* const to = this->Columns.data() + (first / Lanes * groups + group) * Lanes;
-          this->Loops.Transpose(some[0].Re, 2 * Lanes, to[0].Re, 2 * Lanes);
-          this->Loops.Transpose(some[0].Im, 2 * Lanes, to[0].Im, 2 * Lanes);
+          ComplexLanes* const to = this->Columns.data() +
+            (first / ComplexLanes::Count * groups + group) * ComplexLanes::Count;
+          this->Loops.Transpose(
+            some[0].Re, 2 * ComplexLanes::Count, to[0].Re, 2 * ComplexLanes::Count);
+          this->Loops.Transpose(
+            some[0].Im, 2 * ComplexLanes::Count, to[0].Im, 2 * ComplexLanes::Count);
         }
       });
   }
@@ -164,10 +165,10 @@ public:
     const Side& column = this->Sides[0];
     const Side& row = this->Sides[1];
     const std::size_t width =
-      ComplexLanes::CountGroups(static_cast<std::size_t>(column.Highest) + 1) * Lanes;
+      ComplexLanes::CountGroups(static_cast<std::size_t>(column.Highest) + 1) * ComplexLanes::Count;
     const std::size_t groups = ComplexLanes::CountGroups(row.Count);
-    this->Stride = ComplexLanes::CountGroups(column.Count) * Lanes;
-    this->Image.resize((groups + 1) * Lanes * this->Stride);
+    this->Stride = ComplexLanes::CountGroups(column.Count) * ComplexLanes::Count;
+    this->Image.resize((groups + 1) * ComplexLanes::Count * this->Stride);
     const LaneFourier fourier(column.Points);
     // Two real rows at a time.
     ParallelFor((groups + 1) / 2,
@@ -175,22 +176,23 @@ public:
       {
         const bool both = 2 * pair + 1 < groups;
         const ComplexLanes* const first = this->Columns.data() + 2 * pair * width;
-        std::vector<ComplexLanes> line(column.Points), room(column.Points), some(Lanes);
+        std::vector<ComplexLanes> line(column.Points), room(column.Points),
+          some(ComplexLanes::Count);
         this->Loops.Join(first, both ? first + width : first,
           static_cast<std::size_t>(column.Highest) + 1, column.Points, line.data());
         const ComplexLanes* const found = fourier.Inverse(line.data(), room.data());
-        float* const to = this->Image.data() + 2 * pair * Lanes * this->Stride;
-        for (std::size_t x = 0; x < column.Count; x += Lanes)
+        float* const to = this->Image.data() + 2 * pair * ComplexLanes::Count * this->Stride;
+        for (std::size_t x = 0; x < column.Count; x += ComplexLanes::Count)
         {
-          for (std::size_t i = 0; i < Lanes; ++i)
+          for (std::size_t i = 0; i < ComplexLanes::Count; ++i)
           {
             some[i] = found[column.GetIndex(x + i)];
           }
-          this->Loops.Transpose(some[0].Re, 2 * Lanes, to + x, this->Stride);
+          this->Loops.Transpose(some[0].Re, 2 * ComplexLanes::Count, to + x, this->Stride);
           if (both)
           {
-            this->Loops.Transpose(
-              some[0].Im, 2 * Lanes, to + Lanes * this->Stride + x, this->Stride);
+            this->Loops.Transpose(some[0].Im, 2 * ComplexLanes::Count,
+              to + ComplexLanes::Count * this->Stride + x, this->Stride);
           }
         }
       });
@@ -469,7 +471,7 @@ private:
       sample.ImaginaryScale = mirrored ? -sample.Scale : sample.Scale;
       sample.To = static_cast<std::uint32_t>(
         static_cast<std::size_t>(v < 0 ? v + static_cast<std::ptrdiff_t>(row.Points) : v) * 2 *
-          Lanes +
+          ComplexLanes::Count +
         lane);
     }
     return count;

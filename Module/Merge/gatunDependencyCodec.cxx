@@ -20,7 +20,6 @@ namespace
 constexpr std::uint32_t None = 0xffffffffu;
 
 constexpr std::size_t MostPerMerge = 64; // on average, with the merges that are skipped
-constexpr std::uint32_t MergesBetweenProgress = 4096;
 
 /** The earlier merges into each point, from the last one. */
 class MergesInto
@@ -372,7 +371,7 @@ Bytes EncodeDependencies(const MergeTree& tree, const MergeDependencies& depende
   const std::size_t merges = tree.GetMerges().size();
   for (std::uint32_t i = 0; i < merges; ++i)
   {
-    if (progress && i % MergesBetweenProgress == 0 &&
+    if (progress && i % MergeDependencies::MergesBetweenProgress == 0 &&
       !progress(static_cast<double>(i) / static_cast<double>(merges)))
     {
       throw Error(ErrorCode::Aborted, "aborted");

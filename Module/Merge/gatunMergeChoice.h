@@ -4,6 +4,7 @@
 #define gatunMergeChoice_h
 
 #include <cstdint>
+#include <limits>
 
 namespace gatun
 {
@@ -11,6 +12,9 @@ namespace gatun
 struct MergeChoice
 {
   static constexpr std::uint32_t None = 0xffffffffu;
+
+  /** The cost of a merge that must not be made. */
+  static constexpr double Never = std::numeric_limits<double>::infinity();
 
   std::uint32_t Into = None;
 

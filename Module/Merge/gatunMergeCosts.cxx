@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gatun
 {
@@ -29,7 +28,6 @@ constexpr double ShapeWeight = 0.7;
  * Below it, the weight of the shape falls with the square of the sine. */
 constexpr double SharpSine = 0.4;
 
-constexpr double Never = std::numeric_limits<double>::infinity();
 }
 
 //------------------------------------------------------------------------------
@@ -62,7 +60,7 @@ void MergeCosts<N>::FindBounds()
     this->LengthCosts[place] = 1e-12 * square * std::sqrt(square) * this->Star.Given.GetPerWhole();
     this->LeastChanges[place] = this->GetLeastFieldChange(place);
     this->Bounds[place] = onBoundary && !into.OnBoundary
-      ? Never
+      ? MergeChoice::Never
       : (this->FieldWeight * this->LeastChanges[place] + this->LengthCosts[place]) /
         static_cast<double>(into.Tets);
   }
@@ -91,7 +89,7 @@ std::uint32_t MergeCosts<N>::TakeCandidate(double mostCost)
   double least = mostCost;
   for (std::uint32_t place = 0; place < this->Bounds.size(); ++place)
   {
-    if (this->Bounds[place] <= least && this->Bounds[place] < Never)
+    if (this->Bounds[place] <= least && this->Bounds[place] < MergeChoice::Never)
     {
       best = place;
       least = this->Bounds[place];
@@ -99,7 +97,7 @@ std::uint32_t MergeCosts<N>::TakeCandidate(double mostCost)
   }
   if (best != MergeMesh::None)
   {
-    this->Bounds[best] = Never;
+    this->Bounds[best] = MergeChoice::Never;
   }
   return best;
 }
@@ -257,7 +255,7 @@ void MergeCosts<N>::Try(std::uint32_t place, bool checkTopology, MergeChoice& be
   }
   const double tets = static_cast<double>(into.Tets);
   const double enough = best.Into == MergeMesh::None
-    ? Never
+    ? MergeChoice::Never
     : (best.Cost * tets * (1 + MergeQuadric::Margin) - others) /
       std::max(this->FieldWeight, 1e-300);
   if (!(this->LeastChanges[place] <= enough) || !this->FindVolumes(place))
@@ -295,14 +293,15 @@ MergeChoice MergeCosts<N>::Choose(std::uint32_t point, std::uint32_t tryFirst, b
   MergeChoice best;
   // The first guess is often right, and then few others are looked at.
   const std::uint32_t next = this->Star.GetPlace(tryFirst);
-  if (next != MergeMesh::None && this->Bounds[next] < Never)
+  if (next != MergeMesh::None && this->Bounds[next] < MergeChoice::Never)
   {
-    this->Bounds[next] = Never;
+    this->Bounds[next] = MergeChoice::Never;
     this->Try(next, checkTopology, best);
   }
   for (;;)
   {
-    const auto place = this->TakeCandidate(best.Into == MergeMesh::None ? Never : best.Cost);
+    const auto place =
+      this->TakeCandidate(best.Into == MergeMesh::None ? MergeChoice::Never : best.Cost);
     if (place == MergeMesh::None)
     {
       return best;

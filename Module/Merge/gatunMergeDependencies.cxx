@@ -13,8 +13,6 @@ namespace gatun
 {
 namespace
 {
-constexpr std::size_t MergesBetweenProgress = 4096;
-
 /** Does merges one after the other and notes which cells each of them changes. */
 template <std::size_t Corners>
 class MergeReplay
@@ -147,7 +145,7 @@ void MergeDependencies::Replay(const MergeTree& tree,
   std::vector<std::uint32_t> earlier;  // what they depend on
   for (std::size_t i = 0; i < merges.size(); ++i)
   {
-    if (progress && i % MergesBetweenProgress == 0 &&
+    if (progress && i % MergeDependencies::MergesBetweenProgress == 0 &&
       !progress(static_cast<double>(i) / static_cast<double>(merges.size())))
     {
       throw Error(ErrorCode::Aborted, "aborted");

@@ -35,6 +35,8 @@ namespace gatun
 class GATUN_EXPORT MergeDependencies
 {
 public:
+  static constexpr std::uint32_t MergesBetweenProgress = 4096;
+
   MergeDependencies() = default;
 
   /**

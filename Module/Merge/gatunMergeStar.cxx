@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunMergeStar.h"
 
+#include "gatunMergeChoice.h"
+
 #include <glm/geometric.hpp>
 
 #include <cmath>
-#include <limits>
 
 namespace gatun
 {
@@ -14,8 +15,6 @@ namespace
 /** For a corner the others, so that the volume with it in front has the sign of the tetrahedron. */
 constexpr std::array<std::array<unsigned, 3>, 4> Others{ { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 },
   { 0, 2, 1 } } };
-
-constexpr double Never = std::numeric_limits<double>::infinity();
 
 GATUN_INLINE Triple<Double2> Pair(const glm::dvec3& a, const glm::dvec3& b)
 {
@@ -168,7 +167,8 @@ void MergeStar<N>::GatherTets()
       2 * i + 1 < this->NumberOfTets ? 1.0 : 0.0 };
     block.Normal[half] = sign * (across[0] + across[1] + across[2]);
     block.Volume[half] = volume;
-    block.Least[half] = SelectGreater(volume * present, zero, Splat2(1e-3) * volume, Splat2(Never));
+    block.Least[half] =
+      SelectGreater(volume * present, zero, Splat2(1e-3) * volume, Splat2(MergeChoice::Never));
     block.Weight[half] = present * (Splat2(this->PerVolume) * volume + Splat2(this->PerTet));
     volumes = volumes + present * volume;
     const Double2 weight = SelectGreater(volume, zero, block.Weight[half], zero);

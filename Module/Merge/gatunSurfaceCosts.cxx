@@ -6,13 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gatun
 {
 namespace
 {
-constexpr double Never = std::numeric_limits<double>::infinity();
 
 /** The cosine of the largest angle by which a merge may turn a triangle. */
 constexpr double LargestTurn = 0.5;
@@ -58,7 +56,7 @@ std::uint32_t SurfaceCosts::FindNeighbor(std::uint32_t place)
   const auto add = [&]
   {
     const Vec offset = this->Mesh.GetPosition(place) - this->Mesh.GetPosition(this->Place);
-    this->Neighbors.push_back({ place, 0, offset, Never, 0 });
+    this->Neighbors.push_back({ place, 0, offset, MergeChoice::Never, 0 });
     return static_cast<std::uint32_t>(this->Neighbors.size());
   };
   // Marks of points all over the mesh are slower than a short list.
@@ -238,7 +236,7 @@ MergeChoice SurfaceCosts::Choose(
     for (std::uint32_t i = 0; i < this->Neighbors.size(); ++i)
     {
       const double cost = this->Neighbors[i].Cost;
-      const bool isBetter = cost < Never &&
+      const bool isBetter = cost < MergeChoice::Never &&
         (best == None || cost < this->Neighbors[best].Cost ||
           (cost == this->Neighbors[best].Cost &&
             this->Neighbors[i].Place < this->Neighbors[best].Place));
@@ -253,7 +251,7 @@ MergeChoice SurfaceCosts::Choose(
     {
       return { into.Place, into.Cost, into.Change };
     }
-    into.Cost = Never;
+    into.Cost = MergeChoice::Never;
   }
 }
 

@@ -25,7 +25,7 @@ constexpr double EdgeWeight = 0.5; // of features and seams
 
 /** Fields on triangles that are thinner than this part of their longest edge have no gradient that
  * means anything. */
-constexpr double Thinnest = 1e-3;
+constexpr double ThinnestWithGradient = 1e-3;
 
 /** Adds v v, times a weight, to the upper half of a symmetric matrix. */
 void AddSquare(double* square, const glm::dvec3& v, double weight)
@@ -161,7 +161,7 @@ void SurfaceQuadrics::AddTriangles(const MergeTriangles& mesh, double shapeWeigh
     const double* const v0 = this->GetValues(mesh.GetPoint(cell, 0));
     const double* const v1 = this->GetValues(mesh.GetPoint(cell, 1));
     const double* const v2 = this->GetValues(mesh.GetPoint(cell, 2));
-    const bool hasSlopes = !(twice < Thinnest * longest);
+    const bool hasSlopes = !(twice < ThinnestWithGradient * longest);
     for (std::size_t f = 0; f < this->Fields; ++f)
     {
       slopes[f] = hasSlopes

@@ -15,10 +15,6 @@ namespace gatun
 {
 namespace
 {
-// Where it is finest, a mesh for a view has as many points as one that is the same everywhere with
-// so many times as many.
-constexpr std::uint64_t Contrast = 8;
-
 // Memory of a mesh for views for each point of its finest base mesh, about: merges, dependencies
 // and places. The coarsest base mesh with at least so many points may have twice as many.
 constexpr std::uint64_t BytesPerPoint = 2 * 80;
@@ -123,7 +119,7 @@ std::size_t FileLevelsOfDetail::FindFinest(
   // In motion, a quarter of the budget is for what is known of all points.
   const auto affordable = this->Budget->GetBytes() / 4 / BytesPerPoint;
   const auto finest = std::min(
-    this->FindLevel(isForRest ? Contrast * points : std::min(Contrast * points, affordable)),
+    this->FindLevel(isForRest ? FinestToUniform * points : std::min(FinestToUniform * points, affordable)),
     coarse);
   const FileReader& file = *this->File.GetFile();
   const double weight =

@@ -29,6 +29,9 @@ struct DetailLevel
 class GATUN_EXPORT LevelsOfDetail
 {
 public:
+  /** Where it is finest, a mesh for a view is as fine as a uniform one with this many times its points. */
+  static constexpr std::uint64_t FinestToUniform = 8;
+
   virtual ~LevelsOfDetail() = default;
 
   virtual std::uint64_t GetNumberOfPoints() const = 0; ///< of the whole mesh

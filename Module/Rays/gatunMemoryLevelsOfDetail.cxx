@@ -23,10 +23,6 @@ namespace
 {
 using Tet = MergeTree::Tet;
 
-// Where it is finest, a mesh for a view has as many points as one that is the same everywhere with
-// so many times as many.
-constexpr std::uint64_t Contrast = 8;
-
 /** Tetrahedra in spatial order. */
 struct TetList
 {
@@ -354,7 +350,7 @@ std::size_t MemoryLevelsOfDetail::Internals::FindBase(
   for (;; ++halvings)
   {
     const auto next = this->GetPoints() >> (halvings + 1);
-    const bool isEnough = next >= Contrast * points ||
+    const bool isEnough = next >= FinestToUniform * points ||
       this->Tree.GetLargestError(this->Tree.CountMergesForPoints(next)) * weight <= view.PixelError;
     if (!isEnough || next <= this->GetFewest())
     {
