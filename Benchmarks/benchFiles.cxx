@@ -29,7 +29,7 @@ Grid MakeNarrow(vtkUnstructuredGrid* grid)
   }
   auto result = Grid::New();
   result->ShallowCopy(grid);
-  result->SetCells(grid->GetCellTypesArray(), cells);
+  result->SetCells(grid->GetCellTypesArray(), cells, grid->GetFaceLocations(), grid->GetFaces());
   return result;
 }
 
