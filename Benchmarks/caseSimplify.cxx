@@ -176,7 +176,8 @@ void UpdateChecked(vtkGatunSimplify* filter)
   }
 }
 
-/** The most points with no more than so many tetrahedra. Returns the seconds of the last update. */
+/** The most points with no more than so many tetrahedra. Returns the seconds of
+ * getting there from the whole mesh. */
 double SimplifyToTets(vtkGatunSimplify* filter, vtkIdType points, std::uint64_t tets)
 {
   vtkIdType low = 0;
@@ -199,6 +200,7 @@ double SimplifyToTets(vtkGatunSimplify* filter, vtkIdType points, std::uint64_t 
       high = middle - 1;
     }
   }
+  update(points); // so that there is something to do
   return update(low);
 }
 

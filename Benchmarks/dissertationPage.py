@@ -126,18 +126,17 @@ def _draw_simplification(pyplot, meshes):
 
 
 def draw(results, folder):
-    """Writes the plots, where matplotlib is installed; returns their names."""
+    """Writes the plots, where matplotlib is installed."""
     try:
         import matplotlib  # pylint: disable=import-outside-toplevel
         matplotlib.use("Agg")
         from matplotlib import pyplot  # pylint: disable=import-outside-toplevel
     except ImportError:
         print("Without matplotlib (python3-matplotlib) there are no plots.")
-        return set()
+        return
     makers = {"memory": _draw_memory, "time": _draw_time, "simplification": _draw_simplification}
     for name, make in makers.items():
         _save(pyplot, make(pyplot, results["dissertation"]["meshes"]), folder / f"{name}.png")
-    return set(makers)
 
 
 def _image(plots, name, text):

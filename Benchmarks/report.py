@@ -331,10 +331,11 @@ def rounded(value):
     return [rounded(one) for one in value] if isinstance(value, (list, tuple)) else value
 
 
-def pages(results, plots):
-    """The text of each page, by its name. plots: the names of those that exist."""
-    return {"performance.md": performancePage.page(results),
-            "dissertation.md": dissertationPage.page(results, plots)}
+def pages(results, out):
+    """The text of each page, by its file. out: the folder, with the plots that exist."""
+    plots = {file.stem for file in (out / "performance").glob("*.png")}
+    return {out / "performance.md": performancePage.page(results),
+            out / "dissertation.md": dissertationPage.page(results, plots)}
 
 
 def readme(results):
@@ -345,19 +346,16 @@ def readme(results):
 
 def find_differing():
     """The generated files of the documentation that do not follow from the results."""
-    folder = DOCUMENTATION / "performance"
-    results = json.loads((folder / "results.json").read_text(encoding="utf-8"))
-    wanted = {DOCUMENTATION / name: text for name, text in
-              pages(results, {file.stem for file in folder.glob("*.png")}).items()}
-    wanted[ROOT / "README.md"] = readme(results)
+    results = json.loads((DOCUMENTATION / "performance" / "results.json").read_text(encoding="utf-8"))
+    wanted = {**pages(results, DOCUMENTATION), ROOT / "README.md": readme(results)}
     return [file for file, text in wanted.items()
             if not file.exists() or file.read_text(encoding="utf-8") != text]
 
 
 def write(results, out):
-    plots = dissertationPage.draw(results, out / "performance")
-    for name, text in pages(results, plots).items():
-        (out / name).write_text(text, encoding="utf-8")
+    dissertationPage.draw(results, out / "performance")
+    for file, text in pages(results, out).items():
+        file.write_text(text, encoding="utf-8")
     if out.resolve() == DOCUMENTATION:
         text = readme(results)
         (ROOT / "README.md").write_text(text, encoding="utf-8")
