@@ -67,25 +67,13 @@ void AddList(Json::Value& json, const char* name, const std::vector<double>& val
 }
 
 //------------------------------------------------------------------------------
-PeakMemory::PeakMemory()
+Cost CostOf(const std::function<void()>& work)
 {
   // Linux lets a process forget its peak.
   std::ofstream("/proc/self/clear_refs") << 5;
-  this->Before = ReadStatus("VmRSS");
-}
-
-//------------------------------------------------------------------------------
-std::uint64_t PeakMemory::GetPeak()
-{
-  return ReadStatus("VmHWM");
-}
-
-//------------------------------------------------------------------------------
-Cost CostOf(const std::function<void()>& work)
-{
-  const PeakMemory memory;
+  const std::uint64_t before = ReadStatus("VmRSS");
   const double seconds = SecondsOf(work);
-  return { seconds, memory.GetBefore(), PeakMemory::GetPeak() };
+  return { seconds, before, ReadStatus("VmHWM") };
 }
 
 //------------------------------------------------------------------------------

@@ -41,20 +41,8 @@ void WarmUpAndRunInterleaved(std::vector<Operation>& operations, int rounds);
 /** Adds a list of numbers. */
 void AddList(Json::Value& json, const char* name, const std::vector<double>& values);
 
-/** The memory of this process in bytes, resident now, and the most since Reset (or since the start
- * where the system cannot forget the peak). */
-class PeakMemory
-{
-public:
-  PeakMemory();
-  std::uint64_t GetBefore() const { return this->Before; }
-  static std::uint64_t GetPeak();
-
-private:
-  std::uint64_t Before;
-};
-
-/** What some work takes: seconds, and bytes before it and at most. */
+/** What some work takes: seconds, and bytes of memory before it and at most. (At most since the
+ * start of the process, where the system cannot forget the peak.) */
 struct Cost
 {
   double Seconds;

@@ -25,32 +25,21 @@ namespace
 {
 using Image = vtkSmartPointer<vtkImageData>;
 
-template <typename Value>
-Image MakeImage(const gatun::test::Phantom<Value>& phantom, int type)
+/** head:96. The axes have different lengths, which are no multiples of a block. */
+Image MakeHead(const std::string& name)
 {
-  auto image = Image::New();
-  image->SetDimensions(static_cast<int>(phantom.Size[0]), static_cast<int>(phantom.Size[1]),
-    static_cast<int>(phantom.Size[2]));
-  image->AllocateScalars(type, 1);
-  std::memcpy(
-    image->GetScalarPointer(), phantom.Values.data(), phantom.Values.size() * sizeof(Value));
-  return image;
-}
-
-/** head:96 and smooth:96. The axes have different lengths, which are no multiples of a block. */
-Image Make(const std::string& name)
-{
-  const auto colon = name.find(':');
-  const std::string kind = name.substr(0, colon);
-  const int length = std::stoi(name.substr(colon + 1));
+  const auto length = static_cast<std::uint32_t>(std::stoi(name.substr(name.find(':') + 1)));
   if (length < 8 || length > 1024)
   {
     throw Failure(name, "is too small or too large");
   }
-  const auto size = static_cast<std::uint32_t>(length);
-  const std::array<std::uint32_t, 3> sizes{ size, size - size / 16, size - size / 8 };
-  return kind == "head" ? MakeImage(gatun::test::MakeHead(sizes), VTK_UNSIGNED_CHAR)
-                        : MakeImage(gatun::test::MakeSmooth(sizes), VTK_FLOAT);
+  const auto phantom = gatun::test::MakeHead({ length, length - length / 16, length - length / 8 });
+  auto image = Image::New();
+  image->SetDimensions(static_cast<int>(phantom.Size[0]), static_cast<int>(phantom.Size[1]),
+    static_cast<int>(phantom.Size[2]));
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  std::memcpy(image->GetScalarPointer(), phantom.Values.data(), phantom.Values.size());
+  return image;
 }
 
 template <typename Reader>
@@ -64,9 +53,9 @@ Image Read(const std::string& file)
 
 Image Open(const std::string& name)
 {
-  if (name.starts_with("head:") || name.starts_with("smooth:"))
+  if (name.starts_with("head:"))
   {
-    return Make(name);
+    return MakeHead(name);
   }
   if (!std::filesystem::exists(name))
   {
@@ -119,7 +108,6 @@ Volume::Volume(const std::string& name)
 }
 
 Volume::~Volume() = default;
-Volume::Volume(Volume&&) noexcept = default;
 
 //------------------------------------------------------------------------------
 vtkImageData* Volume::GetImage() const

@@ -28,11 +28,10 @@ using Turns = std::array<double, 3>;
 class Volume
 {
 public:
-  /** A .vti or NIfTI file; or one that is made, with so many voxels along its longest axis:
-   * head:96, smooth:96. Throws Failure. */
+  /** A .vti or NIfTI file; or head:96, which is made with so many voxels along
+   * its longest axis. Throws Failure. */
   explicit Volume(const std::string& name);
   ~Volume();
-  Volume(Volume&&) noexcept;
   Volume(const Volume&) = delete;
   Volume& operator=(const Volume&) = delete;
 

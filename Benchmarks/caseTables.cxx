@@ -359,8 +359,7 @@ void AddTables(CLI::App& app)
   const auto add = [&](const char* name, const char* about, void (*print)(const TableOptions&))
   {
     CLI::App* const command = app.add_subcommand(name, about);
-    command->add_option("VOLUME", options->File, "A .vti or NIfTI file; head:SIZE, smooth:SIZE")
-      ->required();
+    command->add_option("VOLUME", options->File, "A .vti or NIfTI file; or head:SIZE")->required();
     command->add_option("--blocks", options->Blocks, "Voxels of a block")->delimiter(',');
     command->add_option("--most-blocks", options->MostBlocks, "At most so many blocks (table1)");
     command->add_option("--rays", options->Rays, "About so many rays for each view (table1)")

@@ -216,8 +216,7 @@ void AddVolume(CLI::App& app)
   const auto add = [&](const char* name, const char* about, void (*measure)(const VolumeOptions&))
   {
     CLI::App* const command = app.add_subcommand(name, about);
-    command->add_option("VOLUME", options->File, "A .vti or NIfTI file; head:SIZE, smooth:SIZE")
-      ->required();
+    command->add_option("VOLUME", options->File, "A .vti or NIfTI file; or head:SIZE")->required();
     command->add_option("SCRATCH", options->Scratch, "A file that may be written")->required();
     command->add_option("--blocks", options->Blocks, "Voxels of a block")->delimiter(',');
     command->callback([options, measure] { measure(*options); });

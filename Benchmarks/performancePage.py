@@ -169,7 +169,7 @@ HEAD = ["measurement", "Gatun", "VTK", "advantage (range)"]
 
 
 def _head(results):
-    delaunay = find(results["files"], "delaunay")["pack"]
+    delaunay = find(results["files"], "delaunay")
     return f"""# Performance
 
 `Utilities/setup.sh bench` measures Gatun and its peers and writes this page, the table of
@@ -182,9 +182,9 @@ the ratios of each round, with its range. It is above 1 where Gatun is better, a
 All properties of Gatun have their default values. `.vtu` files are VTK's default (zlib, 64-bit ids); *LZMA* is
 level 9 with 32-bit ids and blocks of 32 MiB. Files are in the page cache. If not said otherwise, all
 processors are used.''')}
-{paragraph(f'''*delaunay* is a Delaunay mesh of a ball ({delaunay["tets"]:,} tetrahedra, one float array), *grid* a synthetic
-structured grid around a nose (five tetrahedra per hexahedron, one array), *flow* a smaller one with four arrays.
-Other meshes are real; they are not part of the project.''')}"""
+{paragraph(f'''*delaunay* is a {delaunay["about"]} ({delaunay["pack"]["tets"]:,} tetrahedra, one float array), *grid* a
+synthetic structured grid around a nose (five tetrahedra per hexahedron, one array), *flow* a smaller one with
+four arrays. Other meshes are real; they are not part of the project.''')}"""
 
 
 def _files(results):
