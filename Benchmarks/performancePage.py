@@ -36,7 +36,8 @@ def advantage(own, peer, more_is_better=False):
     ratios = [a / b for a, b in pairs]
     text = f"{statistics.median(ratios):.2f}"
     text = f"**{text}**" if float(text) < 1 else text
-    return text + (f" ({min(ratios):.2f} to {max(ratios):.2f})" if len(ratios) > 1 else "")
+    least, most = f"{min(ratios):.2f}", f"{max(ratios):.2f}"
+    return text + (f" ({least} to {most})" if least != most else "")
 
 
 def row(what, unit, own, peer, more_is_better=False):
@@ -87,17 +88,16 @@ def images(results):
 def first_images(results):
     """Rows of time and memory from a file to the first image."""
     for entry in images(results)["first"]:
-        what = f"{entry['name']}, {entry['size']} x {entry['size']}"
+        what = f"first, {entry['name']}, {entry['size']}"
+        yield what, "s", medians(entry["gtn"], "seconds"), medians(entry["vtu-zlib"], "seconds")
         for form, budget in (("gtn", ""), ("gtn-0", ", `MemoryBudget` 0")):
-            yield f"{what}{budget}", "s", medians(entry[form], "seconds"), medians(
-                entry["vtu-zlib"], "seconds")
-            yield f"peak memory, {what}{budget}", "MiB", memory(entry[form]), memory(entry["vtu-zlib"])
+            yield f"{what}{budget}", "MiB", memory(entry[form]), memory(entry["vtu-zlib"])
 
 
 def later_images(results):
     for entry in images(results)["later"]:
-        yield (f"{entry['name']}, {entry['size']} x {entry['size']}, {entry['threads']} "
-               f"thread{'s' if entry['threads'] > 1 else ''}", "s",
+        threads = ", one thread" if entry["threads"] == 1 else ""
+        yield (f"later, {entry['name']}, {entry['size']}{threads}", "s",
                *(entry["mappers"][way]["seconds"] for way in ("gatun", "vtk")))
 
 
@@ -172,19 +172,17 @@ def _head(results):
     delaunay = find(results["files"], "delaunay")
     return f"""# Performance
 
-`Utilities/setup.sh bench` measures Gatun and its peers and writes this page, the table of
-[README.md](../README.md) and the [page about the dissertation](dissertation.md) from
-[results.json](performance/results.json).
+`Utilities/setup.sh bench` measures Gatun and its peers and writes this page and [the dissertation,
+repeated](dissertation.md) from [results.json](performance/results.json).
 
 {machine(results)}
-{paragraph(f'''Peers run in the same rounds and take turns. A cell has the median of the rounds, *advantage* the median of
-the ratios of each round, with its range. It is above 1 where Gatun is better, and bold where Gatun is worse.
-All properties of Gatun have their default values. `.vtu` files are VTK's default (zlib, 64-bit ids); *LZMA* is
-level 9 with 32-bit ids and blocks of 32 MiB. Files are in the page cache. If not said otherwise, all
-processors are used.''')}
+{paragraph(f'''Peers take turns with Gatun. Cells are medians of the rounds; *advantage* is the median of their ratios, with its
+range: above 1 where Gatun is better, else bold. Gatun and `.vtu` files have default
+settings (zlib, 64-bit ids); *LZMA* is level 9 with 32-bit ids and blocks of 32 MiB. Files are in the page cache.
+All processors are used, if not said otherwise.''')}
 {paragraph(f'''*delaunay* is a {delaunay["about"]} ({delaunay["pack"]["tets"]:,} tetrahedra, one float array), *grid* a
 synthetic structured grid around a nose (five tetrahedra per hexahedron, one array), *flow* a smaller one with
-four arrays. Other meshes are real; they are not part of the project.''')}"""
+four arrays. Other meshes are real and not part of the project.''')}"""
 
 
 def _files(results):
@@ -216,17 +214,17 @@ def _files(results):
 def _images(results):
     if not results["images"]:
         return "## Images\n\nNot measured: there was no display.\n"
-    return "## Images\n\n" + paragraph("""Volume rendering from a file to the first image, each in a separate process, and of
-        later images of a mesh in memory, by `vtkGatunVolumeMapper` and
-        `vtkUnstructuredGridVolumeRayCastMapper` (with zlib `.vtu`), without a graphics card. Memory is above that
-        of an empty window. *delaunay* and *grid* are sorted, as VTK's mapper likes it.""") + "\n" + table(
+    return "## Images\n\n" + paragraph("""Volume rendering from a file to the *first* image, each in a separate process, and *later* images
+        of a mesh in memory, by `vtkGatunVolumeMapper` and `vtkUnstructuredGridVolumeRayCastMapper` (with zlib
+        `.vtu`), without a graphics card, by the width in pixels. MiB are the peak above an empty window. The
+        order of meshes suits VTK's mapper.""") + "\n" + table(
             HEAD, [row(*one) for one in (*first_images(results), *later_images(results))])
 
 
 def _contours(results):
-    return "## Isosurfaces\n\n" + paragraph("""At the median of the array: from the file to the triangles in a separate process,
+    return "## Isosurfaces\n\n" + paragraph("""At the median of the array: from the file to the triangles, in a separate process,
         by `vtkGatunContour` from a `.gtn` file without and with layers, and by `vtkContour3DLinearGrid` from
-        a zlib `.vtu` file; and from a mesh in memory.""") + "\n" + table(
+        a zlib `.vtu` file; or from memory.""") + "\n" + table(
             HEAD, [row(*one) for one in contours(results)])
 
 
@@ -241,9 +239,8 @@ def _simplification(results):
                          number(entry["buildSeconds"]), number(own["seconds"]),
                          number(peer["seconds"]) if peer else "-"])
     return "## Simplification\n\n" + paragraph("""To as many tetrahedra as `vtkUnstructuredGridQuadricDecimation` leaves when it
-        is asked for a tenth, on one thread. The error is the root mean square of the field at random places, in
-        1/1000 of its range. Gatun finds the order of merges once; after that, any number of tetrahedra takes
-        *each*.""") + "\n" + table(
+        is asked for a tenth, on one thread. The error of the field is the root mean square, in 1/1000 of its
+        range. Gatun finds the *order* of merges once; *each* mesh then takes little.""") + "\n" + table(
             ["mesh", "tetrahedra", "error, Gatun", "error, VTK", "advantage", "s, order", "s, each", "s, VTK"], rows)
 
 
@@ -260,23 +257,24 @@ def _volumes(results):
                          number(reversible["bits"]) if reversible else "-"])
         ways = entry.get("views", {"ways": []})["ways"]
         for law in dict.fromkeys(way["law"] for way in ways):
-            peer, *own = (way["seconds"] for way in ways if way["law"] == law)
-            views.append([f"{entry['name']}, {law}", number(statistics.median(peer)),
-                          *(advantage(seconds, peer).split(" ")[0] for seconds in own)])
-    text = "## Volumes\n\n" + paragraph("""Bits per voxel at the PSNR (dB) of two settings of zfp, and without loss, blocks of
-        8. *head* is synthetic, *ct* and *mr* are scans.""") + "\n" + table(
+            peer, *own = (way for way in ways if way["law"] == law)
+            views.append([f"{entry['name']}, {law}", number(statistics.median(peer["seconds"])),
+                          advantage([own[0]["first"]], [peer["first"]]),
+                          *(advantage(way["seconds"], peer["seconds"]).split(" ")[0] for way in own)])
+    text = "## Volumes\n\n" + paragraph("""Bits per voxel at the PSNR (dB) of two settings of zfp, and without loss, in blocks
+        of 8. *head* is synthetic, *ct* and *mr* are scans.""") + "\n" + table(
             ["volume", "voxels", "PSNR", "`.ghv`", "zfp", "advantage", "PSNR", "`.ghv`", "zfp", "advantage",
              "lossless `.ghv`", "zlib `.vti`", "zfp"], rows)
     if views:
-        text += "\n" + paragraph("""Later views: seconds of `vtkFixedPointVolumeRayCastMapper` with voxels, and the
-            advantage of drawing from coefficients at 1 bit per voxel, by the size of blocks. Coefficients make
-            files smaller, not images faster.""") + "\n" + table(
-                ["view", "voxels, s", "blocks of 8", "of 16", "of 32"], views)
+        text += "\n" + paragraph("""Views at 1 bit per voxel: seconds of a later view by
+            `vtkFixedPointVolumeRayCastMapper` with voxels, and the advantage of drawing from coefficients: for
+            the first view, in blocks of 8, and for later ones.""") + "\n" + table(
+                ["view", "voxels, s", "first", "blocks of 8", "of 16", "of 32"], views)
     return text
 
 
 def _surfaces(results):
-    ways = [way for way in WAYS if any(way in entry["bytes"] for entry in results["surfaces"])]
+    ways = [way for way in WAYS if way != "vtp-zlib" and any(way in entry["bytes"] for entry in results["surfaces"])]
     rows = []
     for entry in results["surfaces"]:
         rows.append([entry["name"], f"{entry['triangles']:,}",
