@@ -179,7 +179,7 @@ repeated](dissertation.md) from [results.json](performance/results.json).
 {paragraph(f'''Peers take turns with Gatun. Cells are medians of the rounds; *advantage* is the median of their ratios, with its
 range: above 1 where Gatun is better, else bold. Gatun and `.vtu` files have default
 settings (zlib, 64-bit ids); *LZMA* is level 9 with 32-bit ids and blocks of 32 MiB. Files are in the page cache.
-All processors are used, if not said otherwise.''')}
+All processors are used, unless stated.''')}
 {paragraph(f'''*delaunay* is a {delaunay["about"]} ({delaunay["pack"]["tets"]:,} tetrahedra, one float array), *grid* a
 synthetic structured grid around a nose (five tetrahedra per hexahedron, one array), *flow* a smaller one with
 four arrays. Other meshes are real and not part of the project.''')}"""
