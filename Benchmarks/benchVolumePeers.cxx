@@ -39,7 +39,7 @@ Vector InSpace(vtkImageData* image, const Vector& vector)
 
 double Length(const Vector& vector)
 {
-  return std::sqrt(gatun::test::Dot(vector, vector));
+  return std::sqrt(gatun::test::InnerProduct(vector, vector));
 }
 }
 
@@ -179,7 +179,7 @@ std::vector<float> PlainRaySum::Draw(const HartleyView& view) const
           begin = std::max(begin, std::min(one, other));
           end = std::min(end, std::max(one, other));
         }
-        phase /= gatun::test::Dot(view.Step, view.Step);
+        phase /= gatun::test::InnerProduct(view.Step, view.Step);
         // A hair inside, so that rounding never leaves the border.
         const auto first = static_cast<int>(std::ceil(begin - phase + 1e-4));
         const auto last = static_cast<int>(std::floor(end - phase - 1e-4));

@@ -146,7 +146,7 @@ void PrintPictures(const VolumePicturesOptions& options)
   const ReferenceVolume reference = volume.GetReference();
   const Shadings shadings{ {}, MakeGray(volume, HartleyOpacityModel::Exponential, options.Opacity),
     MakeGray(volume, HartleyOpacityModel::TransferFunction, options.Opacity) };
-  const double length = std::sqrt(gatun::test::Dot(
+  const double length = std::sqrt(gatun::test::InnerProduct(
     { volume.GetSize()[0] + 1.0, volume.GetSize()[1] + 1.0, volume.GetSize()[2] + 1.0 },
     { volume.GetSize()[0] + 1.0, volume.GetSize()[1] + 1.0, volume.GetSize()[2] + 1.0 }));
   const auto pixels = static_cast<unsigned>(std::ceil(options.Scale * length));

@@ -21,6 +21,8 @@
 #                     folders of large real meshes, set by the user or not at all; a test that
 #                     needs them skips itself without
 
+include(gatunUnity)
+
 set(GATUN_TEST_DATA "${PROJECT_SOURCE_DIR}/Testing/Data")
 set(GATUN_TEST_TEMP "${PROJECT_BINARY_DIR}/Testing/Temporary/gatun")
 file(MAKE_DIRECTORY "${GATUN_TEST_TEMP}")
@@ -126,6 +128,7 @@ function (gatun_add_core_tests program)
   find_package(GTest REQUIRED)
   include(GoogleTest)
   add_executable("${program}" ${arg_SOURCES})
+  gatun_set_unity_groups("${program}" ${arg_SOURCES})
   target_link_libraries("${program}"
     PRIVATE
       gatunCoreInternals
