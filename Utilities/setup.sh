@@ -6,7 +6,10 @@
 #
 #   Utilities/setup.sh demo [FILE]   install what is needed, build, show what Gatun does (to FILE,
 #                                    a mesh that VTK can read, or to a mesh that the demo makes)
-#   Utilities/setup.sh test          build for VTK and for ParaView, run the tests of both
+#   Utilities/setup.sh test [--all] [CTEST-ARGUMENT...]
+#                                    build for VTK and for ParaView, run the tests of both; with --all
+#                                    everything that a release needs: clang-tidy, benchmarks, long tests,
+#                                    tests of packages, and all tests with sanitizers
 #   Utilities/setup.sh package       make Debian packages of both builds in build/packages, and check them
 #                                    with lintian
 #   Utilities/setup.sh docs          write the pages of the headers, build/release/doxygen/html
@@ -29,9 +32,8 @@
 #   GATUN_NO_INSTALL       if set, packages are never installed (missing ones are an error)
 #   GATUN_DATA_DIR, GATUN_CELLS_DIR
 #                          large meshes for tests and benchmarks (none: those tests are skipped)
-#   CI                     true: compiler warnings are errors, and `test` also runs the tests of codecs,
-#                          formats and damaged files and the fuzz inputs with AddressSanitizer and
-#                          UndefinedBehaviorSanitizer
+#   CI                     true: compiler warnings are errors, and `test` also runs the tests of all that
+#                          parses files with AddressSanitizer and UndefinedBehaviorSanitizer
 
 set -euo pipefail
 
@@ -173,7 +175,7 @@ configure_tree() {
   shift
   # The output of CMake is of interest only if it fails.
   (cd "$root" && cmake --preset "$preset" -B "$build/$preset" -DPython3_EXECUTABLE=/usr/bin/python3 \
-    "-DGATUN_WARNINGS_AS_ERRORS=$in_ci" "${launcher[@]}" "$@") >"$build/$preset.log" 2>&1 || {
+    -DCMAKE_UNITY_BUILD=ON "-DGATUN_WARNINGS_AS_ERRORS=$in_ci" "${launcher[@]}" "$@") >"$build/$preset.log" 2>&1 || {
     cat "$build/$preset.log" >&2
     die "cannot configure $build/$preset"
   }
@@ -221,16 +223,24 @@ use_ccache() {
 }
 
 run_test() {
-  local trees=(release paraview)
+  local trees=(release paraview) all=OFF selection=(-LE '^(long|package)$')
+  if [ "${1:-}" = --all ]; then
+    shift
+    all=ON
+    selection=()
+    run_lint --tidy
+  fi
   install_packages "${packages_build[@]}" "${packages_window[@]}" "${packages_test[@]}" \
     "${packages_paraview[@]}"
   if [ "$in_ci" = ON ]; then
     use_ccache
   fi
   find_paraview
-  build_vtk -DGATUN_BUILD_TESTING=ON "-DGATUN_UNITY_BUILD=$in_ci"
+  build_vtk -DGATUN_BUILD_TESTING=ON "-DGATUN_BUILD_BENCHMARKS=$all"
   build_paraview paraview -DGATUN_BUILD_TESTING=ON
-  if [ "$in_ci" = ON ]; then
+  if [ "$all" = ON ]; then
+    build_tree asan-ubsan
+  elif [ "$in_ci" = ON ]; then
     build_tree core-asan-ubsan -DGATUN_TEST_PARSERS_ONLY=ON
     trees+=(core-asan-ubsan)
   fi
@@ -244,8 +254,12 @@ run_test() {
   export UBSAN_OPTIONS=print_stacktrace=1
   # Without -noreset the server restarts when its last client leaves, and refuses clients that
   # connect in that moment.
-  exec xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' \
-    ctest --test-dir "$build/tests" --output-on-failure --no-label-summary --parallel "$jobs" "$@"
+  local ctest=(xvfb-run -a -s '-screen 0 1280x1024x24 -noreset'
+    ctest --output-on-failure --no-label-summary --parallel "$jobs")
+  "${ctest[@]}" --test-dir "$build/tests" "${selection[@]}" "$@"
+  if [ "$all" = ON ]; then
+    (cd "$root" && "${ctest[@]}" --preset asan-ubsan --test-dir "$build/asan-ubsan" "$@")
+  fi
 }
 
 # Prints name, version, architecture, size and summary of packages.
@@ -302,9 +316,9 @@ run_lint() {
     return
   fi
   # clang-tidy needs the compiler's options and the headers that CMake writes, but no build.
-  configure_tree release -DGATUN_BUILD_TESTING=ON -DGATUN_UNITY_BUILD=OFF
+  configure_tree dev -DGATUN_BUILD_TESTING=ON -DCMAKE_UNITY_BUILD=OFF
   say "Running clang-tidy"
-  GATUN_BUILD=$build/release GATUN_JOBS=$jobs "$root/Utilities/lint.sh" --tidy
+  GATUN_BUILD=$build/dev GATUN_JOBS=$jobs "$root/Utilities/lint.sh" --tidy
 }
 
 run_bench() {
