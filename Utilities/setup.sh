@@ -18,7 +18,6 @@
 #   Utilities/setup.sh soak [MINUTES]
 #                                    build with and without sanitizers, fuzz and try everything that may
 #                                    go wrong with a file (default: 120); see soak/soak.py --help
-#   Utilities/setup.sh guide [PART]  draw the pictures of the user guide again; see guide.sh
 #
 # Packages are installed with apt-get, as root or through sudo. Steps already done are skipped.
 # Variables of the environment:
@@ -54,9 +53,6 @@ packages_test=(
 packages_ci=(ccache)
 packages_bench=(draco libmeshoptimizer-dev libzfp-dev openctm-tools python3-matplotlib)
 packages_soak=(clang libclang-rt-dev mount util-linux)
-# Pictures of the guide: a window of ParaView, used by a program, and small files.
-packages_guide=(
-  at-spi2-core dbus imagemagick openbox pngquant python3-matplotlib python3-pyatspi xdotool)
 packages_package=(dpkg-dev file lintian)
 packages_docs=(doxygen)
 packages_lint=(clang-format clang-tidy git python3)
@@ -69,7 +65,6 @@ if [ "$(. /etc/os-release && echo "${VERSION_CODENAME:-}")" = bookworm ]; then
 else
   packages_paraview+=(
     qt6-5compat-dev qt6-base-dev qt6-declarative-dev qt6-svg-dev qt6-tools-dev)
-  packages_guide+=(qt6-svg-plugins) # of ParaView's icons
 fi
 
 say() {
@@ -326,20 +321,9 @@ run_soak() {
   exec /usr/bin/python3 -B "$root/Utilities/soak/soak.py" --build "$build" --jobs "$jobs" "$@"
 }
 
-run_guide() {
-  install_packages "${packages_build[@]}" "${packages_window[@]}" "${packages_guide[@]}" \
-    "${packages_paraview[@]}"
-  find_paraview
-  keep_tests release
-  build_vtk "${tests[@]}"
-  keep_tests paraview
-  build_paraview paraview "${tests[@]}"
-  GATUN_BUILD=$build/release exec "$root/Utilities/guide.sh" "$@"
-}
-
 command=${1:-}
 case $command in
-  demo | test | package | docs | lint | bench | soak | guide)
+  demo | test | package | docs | lint | bench | soak)
     shift
     command -v apt-get >/dev/null || die "this needs Debian or a system like it (apt-get)"
     mkdir -p "$build"
