@@ -16,8 +16,8 @@
 #                                    build, measure against VTK's own files (with --quick: less),
 #                                    with the meshes it makes and with FILEs; see bench.sh
 #   Utilities/setup.sh soak [MINUTES]
-#                                    build with and without sanitizers, fuzz and try everything that may
-#                                    go wrong with a file (default: 120); see soak/soak.py --help
+#                                    build with sanitizers, fuzz, read damaged files and kill writers
+#                                    (default: 120); see soak.py
 #
 # Packages are installed with apt-get, as root or through sudo. Steps already done are skipped.
 # Variables of the environment:
@@ -52,7 +52,7 @@ packages_test=(
   python3-xxhash python3-zstandard shared-mime-info zsh)
 packages_ci=(ccache)
 packages_bench=(draco libmeshoptimizer-dev libzfp-dev openctm-tools python3-matplotlib)
-packages_soak=(clang libclang-rt-dev mount util-linux)
+packages_soak=(clang libclang-rt-dev libgtest-dev)
 packages_package=(dpkg-dev file lintian)
 packages_docs=(doxygen)
 packages_lint=(clang-format clang-tidy git python3)
@@ -309,16 +309,21 @@ run_bench() {
   GATUN_BUILD=$build/release exec "$root/Utilities/bench.sh" "$@"
 }
 
+# build_targets <preset> <target>...
+build_targets() {
+  local preset=$1
+  shift
+  say "Building $* in $build/$preset"
+  configure_tree "$preset"
+  cmake --build "$build/$preset" --parallel "$jobs" --target "$@"
+}
+
 run_soak() {
-  install_packages "${packages_build[@]}" "${packages_test[@]}" "${packages_soak[@]}"
-  build_vtk -DGATUN_BUILD_TESTING=ON
-  cmake --build "$build/release" --parallel "$jobs" --target damageFile
-  say "Building fuzzers in $build/fuzz"
-  configure_tree fuzz
-  cmake --build "$build/fuzz" --parallel "$jobs" --target fuzzers
-  build_tree asan-ubsan
-  build_tree tsan
-  exec /usr/bin/python3 -B "$root/Utilities/soak/soak.py" --build "$build" --jobs "$jobs" "$@"
+  install_packages "${packages_build[@]}" "${packages_window[@]}" "${packages_soak[@]}"
+  build_targets fuzz fuzzers
+  build_targets asan-ubsan gtn damageFile
+  exec xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' \
+    /usr/bin/python3 -B "$root/Utilities/soak.py" --build "$build" "$@"
 }
 
 command=${1:-}
