@@ -21,6 +21,7 @@ import pathlib
 import random
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -30,6 +31,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 TURN = 60  # seconds
 TIMEOUT = 300  # of a command, in seconds: far more than any needs for these small files
+MOST_ALIKE = 3  # findings that are kept
 LARGE_INPUTS = ("File", "HartleyFile", "Sections")
 
 # Drivers of OpenGL leak; the tests look for leaks.
@@ -60,7 +62,7 @@ class Soak:
         self.corpora = build / "fuzz" / "Testing" / "Fuzz" / "Corpus"
         golden = (ROOT / "Testing" / "Data" / "Golden").rglob("*")
         self.seeds = [file for file in sorted(golden) if file.suffix in COMMANDS]
-        self.counts = collections.Counter()
+        self.counts, self.kinds = collections.Counter(), collections.Counter()
         self.lock = threading.Lock()
 
     def prepare(self):
@@ -87,9 +89,12 @@ class Soak:
             self.counts[what] += number
 
     def keep(self, what, log, files):
-        """Keeps a finding."""
+        """Keeps a finding, unless there are some of its kind already."""
         with self.lock:
             self.counts["findings"] += 1
+            self.kinds[what] += 1
+            if self.kinds[what] > MOST_ALIKE:
+                return
             (self.state / "findings").mkdir(parents=True, exist_ok=True)
             folder = tempfile.mkdtemp(prefix="", dir=self.state / "findings")
         print(f"FINDING: {what} ({folder})", flush=True)
@@ -153,6 +158,8 @@ class Soak:
             time.sleep(seconds * random.uniform(0, 1.1))
             process.kill()
             done = process.wait() == 0
+            if not done and process.returncode != -signal.SIGKILL:
+                self.keep(f"gtn {writer}: exit code {process.returncode}", "", [])
             self.count("writers killed", not done)
             if out.read_bytes() not in ((new,) if done else (old, new)):
                 self.keep(f"gtn {writer}, killed: neither the old file nor the new one", "", [out])
