@@ -142,7 +142,7 @@ class Soak:
         except subprocess.TimeoutExpired:
             self.keep(f"gtn {words} hangs", "", [damaged])
             return
-        message = re.search(rf"^gtn: {re.escape(damaged.name)}: .", result.stdout, re.MULTILINE)
+        message = re.search(rf"^gtn: {re.escape(damaged.name)}[:,] .", result.stdout, re.MULTILINE)
         if result.returncode not in (0, 1) or REPORT.search(result.stdout) or result.returncode == 1 and not message:
             self.keep(f"gtn {words}: exit code {result.returncode}", result.stdout, [damaged])
         self.count("of them refused", result.returncode == 1)
