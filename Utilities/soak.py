@@ -31,7 +31,6 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 TURN = 60  # seconds
 TIMEOUT = 300  # of a command, in seconds: far more than any needs for these small files
-MOST_ALIKE = 3  # findings that are kept
 LARGE_INPUTS = ("File", "HartleyFile", "Sections")
 
 # Drivers of OpenGL leak; the tests look for leaks.
@@ -62,7 +61,7 @@ class Soak:
         self.corpora = build / "fuzz" / "Testing" / "Fuzz" / "Corpus"
         golden = (ROOT / "Testing" / "Data" / "Golden").rglob("*")
         self.seeds = [file for file in sorted(golden) if file.suffix in COMMANDS]
-        self.counts, self.kinds = collections.Counter(), collections.Counter()
+        self.counts = collections.Counter()
         self.lock = threading.Lock()
 
     def prepare(self):
@@ -89,16 +88,15 @@ class Soak:
             self.counts[what] += number
 
     def keep(self, what, log, files):
-        """Keeps a finding, unless there are some of its kind already."""
+        """Counts a finding, and keeps the first of its kind."""
+        folder = self.state / "findings" / re.sub(r"\W+", "-", what)
         with self.lock:
-            self.counts["findings"] += 1
-            self.kinds[what] += 1
-            if self.kinds[what] > MOST_ALIKE:
+            self.counts[f"findings: {what}"] += 1
+            if folder.exists():
                 return
-            (self.state / "findings").mkdir(parents=True, exist_ok=True)
-            folder = tempfile.mkdtemp(prefix="", dir=self.state / "findings")
+            folder.mkdir(parents=True)
         print(f"FINDING: {what} ({folder})", flush=True)
-        pathlib.Path(folder, "log.txt").write_text(f"{what}\n\n{log}\n", encoding="utf-8")
+        (folder / "log.txt").write_text(f"{what}\n\n{log}\n", encoding="utf-8")
         for file in files:
             shutil.copy(file, folder)
 
@@ -199,7 +197,7 @@ def main():
         soak.run(60 * options.minutes)
     for what, number in sorted(soak.counts.items()):
         print(f"{number:12,} {what}")
-    return 1 if soak.counts["findings"] else 0
+    return 1 if any(what.startswith("findings") for what in soak.counts) else 0
 
 
 if __name__ == "__main__":
