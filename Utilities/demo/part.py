@@ -121,6 +121,6 @@ def make_part(size):
         coarse, grid = grid, make_mesh(*SIZES[size])
         kernel = new(vtk.vtkShepardKernel, KernelFootprint=vtk.vtkGeneralizedKernel.N_CLOSEST)
         carried = output_of(new(vtk.vtkPointInterpolator, SourceData=coarse, Kernel=kernel), grid)
-        # From there, few steps suffice for a picture.
+        # From there, few steps suffice for a picture, though not for the largest stress.
         bend(grid, vtk_to_numpy(carried.GetPointData().GetArray(DISPLACEMENT)), 30)
     return grid
