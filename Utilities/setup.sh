@@ -19,9 +19,8 @@
 #                                    build, measure against VTK's own files (with --quick: less),
 #                                    with the meshes it makes and with FILEs; see bench.sh
 #   Utilities/setup.sh soak [MINUTES]
-#                                    build with and without sanitizers, fuzz and try everything that may
-#                                    go wrong with a file (default: 120); see soak/soak.py --help
-#   Utilities/setup.sh guide [PART]  draw the pictures of the user guide again; see guide.sh
+#                                    build with sanitizers, fuzz, read damaged files and kill writers
+#                                    (default: 120); see soak.py
 #
 # Packages are installed with apt-get, as root or through sudo. Steps already done are skipped.
 # Variables of the environment:
@@ -55,10 +54,7 @@ packages_test=(
   python3-xxhash python3-zstandard shared-mime-info zsh)
 packages_ci=(ccache)
 packages_bench=(draco libmeshoptimizer-dev libzfp-dev openctm-tools python3-matplotlib)
-packages_soak=(clang libclang-rt-dev mount util-linux)
-# Pictures of the guide: a window of ParaView, used by a program, and small files.
-packages_guide=(
-  at-spi2-core dbus imagemagick openbox pngquant python3-matplotlib python3-pyatspi xdotool)
+packages_soak=(clang libclang-rt-dev libgtest-dev)
 packages_package=(dpkg-dev file lintian)
 packages_docs=(doxygen)
 packages_lint=(clang-format clang-tidy git python3)
@@ -71,7 +67,6 @@ if [ "$(. /etc/os-release && echo "${VERSION_CODENAME:-}")" = bookworm ]; then
 else
   packages_paraview+=(
     qt6-5compat-dev qt6-base-dev qt6-declarative-dev qt6-svg-dev qt6-tools-dev)
-  packages_guide+=(qt6-svg-plugins) # of ParaView's icons
 fi
 
 say() {
@@ -328,32 +323,26 @@ run_bench() {
   GATUN_BUILD=$build/release exec "$root/Utilities/bench.sh" "$@"
 }
 
-run_soak() {
-  install_packages "${packages_build[@]}" "${packages_test[@]}" "${packages_soak[@]}"
-  build_vtk -DGATUN_BUILD_TESTING=ON
-  cmake --build "$build/release" --parallel "$jobs" --target damageFile
-  say "Building fuzzers in $build/fuzz"
-  configure_tree fuzz
-  cmake --build "$build/fuzz" --parallel "$jobs" --target fuzzers
-  build_tree asan-ubsan
-  build_tree tsan
-  exec /usr/bin/python3 -B "$root/Utilities/soak/soak.py" --build "$build" --jobs "$jobs" "$@"
+# build_targets <preset> <target>...
+build_targets() {
+  local preset=$1
+  shift
+  say "Building $* in $build/$preset"
+  configure_tree "$preset"
+  cmake --build "$build/$preset" --parallel "$jobs" --target "$@"
 }
 
-run_guide() {
-  install_packages "${packages_build[@]}" "${packages_window[@]}" "${packages_guide[@]}" \
-    "${packages_paraview[@]}"
-  find_paraview
-  keep_tests release
-  build_vtk "${tests[@]}"
-  keep_tests paraview
-  build_paraview paraview "${tests[@]}"
-  GATUN_BUILD=$build/release exec "$root/Utilities/guide.sh" "$@"
+run_soak() {
+  install_packages "${packages_build[@]}" "${packages_window[@]}" "${packages_soak[@]}"
+  build_targets fuzz fuzzers
+  build_targets asan-ubsan gtn damageFile
+  exec xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' \
+    /usr/bin/python3 -B "$root/Utilities/soak.py" --build "$build" "$@"
 }
 
 command=${1:-}
 case $command in
-  demo | test | package | docs | lint | bench | soak | guide)
+  demo | test | package | docs | lint | bench | soak)
     shift
     command -v apt-get >/dev/null || die "this needs Debian or a system like it (apt-get)"
     mkdir -p "$build"

@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""What programs write into the documentation: the pages of the studies, the page in front of them, that of
-reliability, and the table in README.md. All of it follows from the results.json files.
+"""What programs write into the documentation: the pages of the studies, the page in front of them, and
+the table in README.md. All of it follows from the results.json files.
 
     generatedParts.py            lists what differs from the results; exit code 1 if anything does
     generatedParts.py --update   writes it again
@@ -16,7 +16,6 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 STUDIES = ROOT / "Documentation" / "studies"
-RELIABILITY = ROOT / "Documentation" / "reliability.md"
 PAGES = {"summary": "summaryReport", "benchmarks": "benchmarkReport", "speed": "speedReport",
          "cells-study": "cellsReport", "parts-study": "partsReport",
          "parallel-study": "parallelReport", "scaling": "scalingReport",
@@ -46,18 +45,11 @@ def render_readme():
     return before + BEGIN + "\n" + table + "\n" + END + rest.split(END, 1)[1]
 
 
-def render_reliability():
-    results = RELIABILITY.with_suffix("") / "results.json"
-    return importlib.import_module("reliabilityReport").page(
-        json.loads(results.read_text(encoding="utf-8")))
-
-
 def all_parts():
     """Each generated file with its text."""
     parts = {STUDIES / f"{name}.md": render(name) for name in PAGES}
     conclusions = importlib.import_module("conclusions")
     parts[STUDIES / "README.md"] = conclusions.page({name: load(name) for name in PAGES})
-    parts[RELIABILITY] = render_reliability()
     parts[ROOT / "README.md"] = render_readme()
     return parts
 
