@@ -10,7 +10,7 @@
 # and, in addition to one of these,
 #
 #   data       reads large real meshes; skipped without GATUN_DATA_DIR
-#   long       more than a minute
+#   long       more than half a minute, or rarely broken by a change: not in a usual run of setup.sh test
 #
 # Exit code 125 counts as skipped. Tests get these variables in the environment:
 #
@@ -20,6 +20,8 @@
 #   GATUN_DATA_DIR, GATUN_CELLS_DIR
 #                     folders of large real meshes, set by the user or not at all; a test that
 #                     needs them skips itself without
+
+include(gatunUnity)
 
 set(GATUN_TEST_DATA "${PROJECT_SOURCE_DIR}/Testing/Data")
 set(GATUN_TEST_TEMP "${PROJECT_BINARY_DIR}/Testing/Temporary/gatun")
@@ -126,6 +128,7 @@ function (gatun_add_core_tests program)
   find_package(GTest REQUIRED)
   include(GoogleTest)
   add_executable("${program}" ${arg_SOURCES})
+  gatun_set_unity_groups("${program}" ${arg_SOURCES})
   target_link_libraries("${program}"
     PRIVATE
       gatunCoreInternals
@@ -258,6 +261,9 @@ function (gatun_add_python_test file)
     set(launch "${MPIEXEC_EXECUTABLE}" -np "${arg_RANKS}")
     string(APPEND test "-np${arg_RANKS}")
     list(APPEND rest PROCESSORS "${arg_RANKS}")
+    if (arg_RANKS GREATER 2)
+      list(APPEND arg_LABELS long)
+    endif ()
   endif ()
   gatun_add_test(
     NAME        "${prefix}${test}"
@@ -329,14 +335,18 @@ function (gatun_add_pvbatch_test file)
   foreach (ranks IN LISTS arg_RANKS)
     set(name "${prefix}${test}")
     set(launch)
+    set(labels paraview ${arg_LABELS})
     if (ranks GREATER 1)
       string(APPEND name "-np${ranks}")
       set(launch "${MPIEXEC_EXECUTABLE}" -np ${ranks})
     endif ()
+    if (ranks GREATER 2)
+      list(APPEND labels long)
+    endif ()
     gatun_add_test(
       NAME        "${name}"
       COMMAND     ${launch} ${program} "${CMAKE_CURRENT_SOURCE_DIR}/${file}" ${arg_ARGS}
-      LABELS      paraview ${arg_LABELS}
+      LABELS      ${labels}
       PROCESSORS  "${ranks}"
       ENVIRONMENT "GATUN_PLUGIN=${gatun_plugin_file}"
                   "GATUN_RANKS=${ranks}"

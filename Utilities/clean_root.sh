@@ -4,7 +4,7 @@
 #
 # Runs setup.sh in a Debian system with nothing installed:
 #
-#   Utilities/clean_root.sh [OPTION]... bookworm|trixie [demo|test|package|use|guide|ci]...
+#   Utilities/clean_root.sh [OPTION]... bookworm|trixie [demo|test|package|use|ci]...
 #
 # Makes a root of Debian 12 (bookworm) or 13 (trixie) with debootstrap, clones the commit checked
 # out here into /gatun of it and runs `Utilities/setup.sh demo` and `test` there, or the commands
@@ -151,7 +151,7 @@ while [ $# -gt 0 ]; do
       exit 0
       ;;
     bookworm | trixie) release=$1 ;;
-    demo | test | package | use | guide | ci) commands+=("$1") ;;
+    demo | test | package | use | ci) commands+=("$1") ;;
     *)
       usage >&2
       exit 2

@@ -11,24 +11,31 @@
 #   Utilities/lint.sh --analyze
 #                              clang-tidy's analyzer on the sources of the core
 #
-# clang-tidy takes the compiler's options from the build tree GATUN_BUILD (build/release) and runs
-# GATUN_JOBS processes (number of processors).
+# clang-tidy takes the compiler's options from the build tree GATUN_BUILD (build/release), which must be
+# configured without unity builds, and runs GATUN_JOBS processes (number of processors).
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-if [ "${1:-}" = --tidy ] || [ "${1:-}" = --analyze ]; then
-  build=${GATUN_BUILD:-build/release}
-  options=(--build "$build" --jobs "${GATUN_JOBS:-$(nproc)}")
-  folders=('Module/*.cxx' 'IO/*.cxx' 'Filters/*.cxx' 'Rendering/*.cxx' 'Programs/*.cxx')
-  if [ "$1" = --analyze ]; then
-    options+=("--check=-*,clang-analyzer-*,-clang-analyzer-cplusplus.NewDeleteLeaks,\
--clang-analyzer-optin.cplusplus.VirtualCall,-clang-analyzer-optin.mpi.*")
-    folders=('Module/*.cxx')
-  fi
-  git ls-files "${folders[@]}" | xargs Utilities/tidy.py "${options[@]}"
-  exit
-fi
+# Arguments: a pattern of folders, options of run-clang-tidy.
+run_tidy() {
+  local folders=$1
+  shift
+  run-clang-tidy -quiet -p "${GATUN_BUILD:-build/release}" -j "${GATUN_JOBS:-$(nproc)}" "$@" \
+    "^$PWD/$folders/.*[.]cxx\$"
+}
+
+case ${1:-} in
+  --tidy)
+    run_tidy '(Module|IO|Filters|Rendering|Programs)'
+    exit
+    ;;
+  --analyze)
+    run_tidy Module "-checks=-*,clang-analyzer-*,-clang-analyzer-cplusplus.NewDeleteLeaks,\
+-clang-analyzer-optin.cplusplus.VirtualCall,-clang-analyzer-optin.mpi.*"
+    exit
+    ;;
+esac
 
 mapfile -t sources < <(git ls-files '*.h' '*.cxx' '*.txx')
 failed=0

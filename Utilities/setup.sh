@@ -6,7 +6,10 @@
 #
 #   Utilities/setup.sh demo [FILE]   install what is needed, build, show what Gatun does (to FILE,
 #                                    a mesh that VTK can read, or to a mesh that the demo makes)
-#   Utilities/setup.sh test          build for VTK and for ParaView, run the tests of both
+#   Utilities/setup.sh test [--all] [CTEST-ARGUMENT...]
+#                                    build for VTK and for ParaView, run the tests of both; with --all
+#                                    everything that a release needs: clang-tidy, benchmarks, long tests,
+#                                    tests of packages, and all tests with sanitizers
 #   Utilities/setup.sh package       make Debian packages of both builds in build/packages, and check them
 #                                    with lintian
 #   Utilities/setup.sh docs          write the pages of the headers, build/release/doxygen/html
@@ -17,9 +20,8 @@
 #                                    --quick: tiny meshes, to build/bench-quick; with --pages: measure
 #                                    nothing, write the pages again)
 #   Utilities/setup.sh soak [MINUTES]
-#                                    build with and without sanitizers, fuzz and try everything that may
-#                                    go wrong with a file (default: 120); see soak/soak.py --help
-#   Utilities/setup.sh guide [PART]  draw the pictures of the user guide again; see guide.sh
+#                                    build with sanitizers, fuzz, read damaged files and kill writers
+#                                    (default: 120); see soak.py
 #
 # Packages are installed with apt-get, as root or through sudo. Steps already done are skipped.
 # Variables of the environment:
@@ -30,9 +32,8 @@
 #   GATUN_NO_INSTALL       if set, packages are never installed (missing ones are an error)
 #   GATUN_DATA_DIR, GATUN_CELLS_DIR
 #                          large meshes for tests and benchmarks (none: those tests are skipped)
-#   CI                     true: compiler warnings are errors, and `test` also runs the tests of codecs,
-#                          formats and damaged files and the fuzz inputs with AddressSanitizer and
-#                          UndefinedBehaviorSanitizer
+#   CI                     true: compiler warnings are errors, and `test` also runs the tests of all that
+#                          parses files with AddressSanitizer and UndefinedBehaviorSanitizer
 
 set -euo pipefail
 
@@ -54,10 +55,7 @@ packages_test=(
   python3-xxhash python3-zstandard shared-mime-info zsh)
 packages_ci=(ccache)
 packages_bench=(draco libmeshoptimizer-dev libzfp-dev openctm-tools python3-matplotlib)
-packages_soak=(clang libclang-rt-dev mount util-linux)
-# Pictures of the guide: a window of ParaView, used by a program, and small files.
-packages_guide=(
-  at-spi2-core dbus imagemagick openbox pngquant python3-matplotlib python3-pyatspi xdotool)
+packages_soak=(clang libclang-rt-dev libgtest-dev)
 packages_package=(dpkg-dev file lintian)
 packages_docs=(doxygen)
 packages_lint=(clang-format clang-tidy git python3)
@@ -70,7 +68,6 @@ if [ "$(. /etc/os-release && echo "${VERSION_CODENAME:-}")" = bookworm ]; then
 else
   packages_paraview+=(
     qt6-5compat-dev qt6-base-dev qt6-declarative-dev qt6-svg-dev qt6-tools-dev)
-  packages_guide+=(qt6-svg-plugins) # of ParaView's icons
 fi
 
 say() {
@@ -174,7 +171,7 @@ configure_tree() {
   shift
   # The output of CMake is of interest only if it fails.
   (cd "$root" && cmake --preset "$preset" -B "$build/$preset" -DPython3_EXECUTABLE=/usr/bin/python3 \
-    "-DGATUN_WARNINGS_AS_ERRORS=$in_ci" "${launcher[@]}" "$@") >"$build/$preset.log" 2>&1 || {
+    -DCMAKE_UNITY_BUILD=ON "-DGATUN_WARNINGS_AS_ERRORS=$in_ci" "${launcher[@]}" "$@") >"$build/$preset.log" 2>&1 || {
     cat "$build/$preset.log" >&2
     die "cannot configure $build/$preset"
   }
@@ -222,16 +219,24 @@ use_ccache() {
 }
 
 run_test() {
-  local trees=(release paraview)
+  local trees=(release paraview) all=OFF selection=(-LE '^(long|package)$')
+  if [ "${1:-}" = --all ]; then
+    shift
+    all=ON
+    selection=()
+    run_lint --tidy
+  fi
   install_packages "${packages_build[@]}" "${packages_window[@]}" "${packages_test[@]}" \
     "${packages_paraview[@]}"
   if [ "$in_ci" = ON ]; then
     use_ccache
   fi
   find_paraview
-  build_vtk -DGATUN_BUILD_TESTING=ON "-DGATUN_UNITY_BUILD=$in_ci"
+  build_vtk -DGATUN_BUILD_TESTING=ON "-DGATUN_BUILD_BENCHMARKS=$all"
   build_paraview paraview -DGATUN_BUILD_TESTING=ON
-  if [ "$in_ci" = ON ]; then
+  if [ "$all" = ON ]; then
+    build_tree asan-ubsan
+  elif [ "$in_ci" = ON ]; then
     build_tree core-asan-ubsan -DGATUN_TEST_PARSERS_ONLY=ON
     trees+=(core-asan-ubsan)
   fi
@@ -245,8 +250,12 @@ run_test() {
   export UBSAN_OPTIONS=print_stacktrace=1
   # Without -noreset the server restarts when its last client leaves, and refuses clients that
   # connect in that moment.
-  exec xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' \
-    ctest --test-dir "$build/tests" --output-on-failure --no-label-summary --parallel "$jobs" "$@"
+  local ctest=(xvfb-run -a -s '-screen 0 1280x1024x24 -noreset'
+    ctest --output-on-failure --no-label-summary --parallel "$jobs")
+  "${ctest[@]}" --test-dir "$build/tests" "${selection[@]}" "$@"
+  if [ "$all" = ON ]; then
+    (cd "$root" && "${ctest[@]}" --preset asan-ubsan --test-dir "$build/asan-ubsan" "$@")
+  fi
 }
 
 # Prints name, version, architecture, size and summary of packages.
@@ -303,9 +312,9 @@ run_lint() {
     return
   fi
   # clang-tidy needs the compiler's options and the headers that CMake writes, but no build.
-  configure_tree release -DGATUN_BUILD_TESTING=ON -DGATUN_UNITY_BUILD=OFF
+  configure_tree dev -DGATUN_BUILD_TESTING=ON -DCMAKE_UNITY_BUILD=OFF
   say "Running clang-tidy"
-  GATUN_BUILD=$build/release GATUN_JOBS=$jobs "$root/Utilities/lint.sh" --tidy
+  GATUN_BUILD=$build/dev GATUN_JOBS=$jobs "$root/Utilities/lint.sh" --tidy
 }
 
 run_bench() {
@@ -322,32 +331,26 @@ run_bench() {
   exec "${report[@]}" "$@"
 }
 
-run_soak() {
-  install_packages "${packages_build[@]}" "${packages_test[@]}" "${packages_soak[@]}"
-  build_vtk -DGATUN_BUILD_TESTING=ON
-  cmake --build "$build/release" --parallel "$jobs" --target damageFile
-  say "Building fuzzers in $build/fuzz"
-  configure_tree fuzz
-  cmake --build "$build/fuzz" --parallel "$jobs" --target fuzzers
-  build_tree asan-ubsan
-  build_tree tsan
-  exec /usr/bin/python3 -B "$root/Utilities/soak/soak.py" --build "$build" --jobs "$jobs" "$@"
+# build_targets <preset> <target>...
+build_targets() {
+  local preset=$1
+  shift
+  say "Building $* in $build/$preset"
+  configure_tree "$preset"
+  cmake --build "$build/$preset" --parallel "$jobs" --target "$@"
 }
 
-run_guide() {
-  install_packages "${packages_build[@]}" "${packages_window[@]}" "${packages_guide[@]}" \
-    "${packages_paraview[@]}"
-  find_paraview
-  keep_tests release
-  build_vtk "${tests[@]}"
-  keep_tests paraview
-  build_paraview paraview "${tests[@]}"
-  GATUN_BUILD=$build/release exec "$root/Utilities/guide.sh" "$@"
+run_soak() {
+  install_packages "${packages_build[@]}" "${packages_window[@]}" "${packages_soak[@]}"
+  build_targets fuzz fuzzers
+  build_targets asan-ubsan gtn damageFile
+  exec xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' \
+    /usr/bin/python3 -B "$root/Utilities/soak.py" --build "$build" "$@"
 }
 
 command=${1:-}
 case $command in
-  demo | test | package | docs | lint | bench | soak | guide)
+  demo | test | package | docs | lint | bench | soak)
     shift
     command -v apt-get >/dev/null || die "this needs Debian or a system like it (apt-get)"
     mkdir -p "$build"

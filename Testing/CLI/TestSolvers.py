@@ -5,18 +5,14 @@
 reads from them is packed and comes back, and is what was written here."""
 
 import os
-import pathlib
-import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkStaticCellLocator
 
+import gatunSolverFiles
 from gatun import vtkGatunReader
 from gatunCli import enter_folder, gtn, skip
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Utilities" / "guide"))
-import solver_files  # pylint: disable=wrong-import-position
 
 try:
     import h5py  # pylint: disable=unused-import
@@ -74,22 +70,22 @@ def check_bricks(grid):
 
 
 # OpenFOAM.
-outer_faces = solver_files.write_foam("foam", POINTS, BRICKS, PRESSURE)
+outer_faces = gatunSolverFiles.write_foam("foam", POINTS, BRICKS, PRESSURE)
 inside, everything = check("foam/case.foam", "vtkQuad")
 check_bricks(inside)
 assert everything.GetNumberOfCells() == CELLS + outer_faces
 names = everything.GetFieldData().GetAbstractArray("BlockNames")
-assert set(solver_files.PATCHES) <= {
+assert set(gatunSolverFiles.PATCHES) <= {
     names.GetValue(i).split("/")[-1] for i in range(names.GetNumberOfValues())}
 
 # CGNS.
-solver_files.write_cgns("case.cgns", POINTS, BRICKS, PRESSURE)
+gatunSolverFiles.write_cgns("case.cgns", POINTS, BRICKS, PRESSURE)
 gtn("pack", "case.cgns", "case.cgns.gtn")
 gtn("verify", "case.cgns.gtn", "case.cgns", says="identical")
 check_bricks(read("case.cgns.gtn"))
 
 # EnSight Gold, which holds float.
-solver_files.write_ensight("gold", read("case.cgns.gtn"))
+gatunSolverFiles.write_ensight("gold", read("case.cgns.gtn"))
 gtn("pack", "gold.case", "gold.gtn")
 gtn("verify", "gold.gtn", "gold.case", says="identical")
 check_bricks(read("gold.gtn"))

@@ -22,13 +22,13 @@
 
 namespace gatun::test
 {
-using Triangle = std::array<std::uint32_t, 3>;
+using SheetTriangle = std::array<std::uint32_t, 3>;
 using Vec = std::array<double, 3>;
 
 struct Sheet
 {
   std::vector<Vec> Points;
-  std::vector<Triangle> Triangles;
+  std::vector<SheetTriangle> Triangles;
   std::vector<double> Values;
 
   SurfaceMergeInput GetInput() const
@@ -142,14 +142,14 @@ inline Sheet MakeSphere(std::uint32_t n)
   return sphere;
 }
 
-inline std::vector<Triangle> Simplify(
-  const std::vector<Triangle>& triangles, const MergeTree& tree, std::size_t merges)
+inline std::vector<SheetTriangle> Simplify(
+  const std::vector<SheetTriangle>& triangles, const MergeTree& tree, std::size_t merges)
 {
   const auto ancestors = tree.FindAncestors(merges);
-  std::vector<Triangle> left;
-  for (const Triangle& t : triangles)
+  std::vector<SheetTriangle> left;
+  for (const SheetTriangle& t : triangles)
   {
-    const Triangle now{ ancestors[t[0]], ancestors[t[1]], ancestors[t[2]] };
+    const SheetTriangle now{ ancestors[t[0]], ancestors[t[1]], ancestors[t[2]] };
     if (now[0] != now[1] && now[1] != now[2] && now[2] != now[0])
     {
       left.push_back(now);
@@ -172,7 +172,7 @@ inline std::size_t CountWhole(
   return whole;
 }
 
-inline Vec GetNormal(const std::vector<Vec>& points, const Triangle& t)
+inline Vec GetNormal(const std::vector<Vec>& points, const SheetTriangle& t)
 {
   Vec a{};
   Vec b{};
@@ -191,11 +191,11 @@ struct Topology
   std::set<std::pair<Vec, Vec>> Border;
   bool IsManifold = true; // no edge of three triangles, and only fans around points
 
-  Topology(const std::vector<Vec>& points, const std::vector<Triangle>& triangles)
+  Topology(const std::vector<Vec>& points, const std::vector<SheetTriangle>& triangles)
   {
     std::map<std::pair<Vec, Vec>, int> edges;
     std::map<Vec, std::multimap<Vec, Vec>> fans;
-    for (const Triangle& t : triangles)
+    for (const SheetTriangle& t : triangles)
     {
       for (std::size_t i = 0; i < 3; ++i)
       {
@@ -275,7 +275,7 @@ inline Sheet MakeSheet(const std::string& name)
         return Vec{ r * std::cos(a), r * std::sin(a), w * std::sin(a / 2) };
       });
     // The last column is the first one upside down.
-    for (Triangle& t : sheet.Triangles)
+    for (SheetTriangle& t : sheet.Triangles)
     {
       for (auto& corner : t)
       {

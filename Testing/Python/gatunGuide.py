@@ -18,7 +18,7 @@ import traceback
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 GUIDE = ROOT / "Documentation" / "guide"
-SAMPLES = "Utilities/guide/samples.py"
+SAMPLES = "Testing/CLI/gatunSamples.py"
 
 
 class Block:
@@ -52,10 +52,10 @@ def pages():
     return sorted(GUIDE.glob("*.md"))
 
 
-def run_shell(block, folder, environment, timeout=250):
+def run_shell(block, folder, environment):
     """What the commands print, or None if they failed."""
     run = subprocess.run(["bash", "-eu", "-o", "pipefail", "-c", block.text], cwd=folder, env=environment, text=True,
-                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=timeout, check=False)
+                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=250, check=False)
     print(run.stdout)
     if run.returncode:
         print(f"{block.place}: exit code {run.returncode}")

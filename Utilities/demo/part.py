@@ -1,162 +1,126 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The surface of a machine part: a flanged bearing block with ribs and bolt holes.
-
-The part is the set of points where a function of space is negative, put together from the
-distances to boxes and cylinders; soft minima in place of plain ones make the fillets. Lengths are
-in millimetres.
-"""
+"""The mesh that the demo makes: a bearing block of aluminum, held by its bolts and pushed by its shaft (mm, N, MPa)."""
 
 import numpy as np
+import vtkmodules.all as vtk
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
 
-HUB_RADIUS = 21.0
-BORE_RADIUS = 13.0
-TOP = 64.0
-BOLTS = [(x, y) for x in (-46.0, 46.0) for y in (-28.0, 28.0)]
-BOLT_RADIUS = 5.5
-COUNTERBORE_RADIUS = 10.0
-BASE_HEIGHT = 12.0
-FLANGE_RADIUS = 31.0
-FLANGE_HOLES = [(x, y) for x in (-17.5, 17.5) for y in (-17.5, 17.5)]
-FLANGE_HOLE_RADIUS = 3.3
+import gatun
+from sheet import new, output_of
+
+BOLT = (46, 28)  # in each quarter
+DISPLACEMENT = "displacement [mm]"
+YOUNG, POISSON = 70000.0, 0.33
+SIZES = {"small": (3.0, 20.0), "full": (1.15, 0.8)}  # spacing of the surface, largest tetrahedron
 
 
-def _soft_min(a, b, radius):
-    """The smaller of a and b, with a transition where they are less than radius apart."""
-    h = np.maximum(radius - np.abs(a - b), 0.0) / radius
-    return np.minimum(a, b) - 0.25 * radius * h * h
+def set_array(data, values, name):
+    """Adds an array of points and makes it the active one."""
+    array = numpy_to_vtk(np.ascontiguousarray(values, np.float32), deep=True)
+    array.SetName(name)
+    data.GetPointData().AddArray(array)
+    data.GetPointData().SetActiveScalars(name)
 
 
-def _soft_max(a, b, radius):
-    return -_soft_min(-a, -b, radius)
+def soft_max(a, b, radius):
+    """The larger one, with a fillet where they are less than the radius apart."""
+    return np.maximum(a, b) + np.maximum(radius - np.abs(a - b), 0) ** 2 / (4 * radius)
 
 
-def _slab(v, low, high):
-    return np.abs(v - 0.5 * (low + high)) - 0.5 * (high - low)
+def soft_min(a, b, radius):
+    return -soft_max(-a, -b, radius)
 
 
-def _cylinder(p, center, radius):
-    return np.hypot(p[0] - center[0], p[1] - center[1]) - radius
+def part_function(x, y, z):
+    """Negative within the part. Near its surface, about the distance to it."""
+    x, y = np.abs(x), np.abs(y)  # the four quarters are alike
+    radius, bolt, hole = np.hypot(x, y), np.hypot(x - BOLT[0], y - BOLT[1]), np.hypot(x - 17.5, y - 17.5)
+    outline = np.hypot(np.maximum(x - 47, 0), np.maximum(y - 29, 0)) - 13
+    body = soft_max(outline, np.abs(z - 6) - 6, 2.5)
+    body = soft_min(body, np.maximum(radius - 21, np.abs(z - 32) - 30), 9)
+    for along, across, reach in (x, y, 30), (y, x, 14):
+        slope = (38 * (along - 21 - reach) + reach * (z - 12)) / np.hypot(38, reach)
+        body = soft_min(body, soft_max(np.maximum(slope, 6 - z), across - 4, 2), 7)
+    body = soft_min(body, soft_max(radius - 31, np.abs(z - 59) - 5, 2), 9)
+    # Fillets bulge where two surfaces meet at no angle.
+    body = soft_max(body, soft_max(outline, np.abs(z - 32) - 32, 2.5), 2.5)
+    body = soft_max(body, 13 - radius, 2)
+    body = soft_max(body, 5.5 - bolt, 1.5)
+    body = soft_max(body, np.minimum(10 - bolt, z - 9), 1.2)
+    return soft_max(body, np.minimum(3.3 - hole, z - 44), 1.2)
 
 
-def _intersection(a, b):
-    """Exact outside the corner, as a distance should be."""
-    return np.minimum(np.maximum(a, b), 0.0) + np.hypot(np.maximum(a, 0.0), np.maximum(b, 0.0))
-
-
-def _rib(p, along, across, reach):
-    """A triangular plate from the hub's flange down to the base."""
-    height = TOP - 14.0 - BASE_HEIGHT
-    u = np.abs(along)
-    slope = (height * (u - HUB_RADIUS) + (reach - HUB_RADIUS) * (p[2] - BASE_HEIGHT)) / np.hypot(
-        height, reach - HUB_RADIUS
-    ) - height * (reach - HUB_RADIUS) / np.hypot(height, reach - HUB_RADIUS)
-    profile = np.maximum(slope, BASE_HEIGHT - 6.0 - p[2])
-    return _soft_max(profile, np.abs(across) - 4.0, 2.0)
-
-
-def distance(points):
-    """The function itself: points is an array (n, 3), the result one of (n)."""
-    p = points.T
-    x, y = np.abs(p[0]), np.abs(p[1])
-    corner = 13.0
-    outline = (
-        np.hypot(np.maximum(x - 60.0 + corner, 0.0), np.maximum(y - 42.0 + corner, 0.0))
-        + np.minimum(np.maximum(x - 60.0 + corner, y - 42.0 + corner), 0.0)
-        - corner
-    )
-    base = _soft_max(outline, _slab(p[2], 0.0, BASE_HEIGHT), 2.5)
-    hub = _intersection(_cylinder(p, (0, 0), HUB_RADIUS), _slab(p[2], 2.0, TOP - 2.0))
-    flange = _soft_max(
-        _cylinder(p, (0, 0), FLANGE_RADIUS), _slab(p[2], TOP - 10.0, TOP), 2.0
-    )
-    body = _soft_min(base, hub, 9.0)
-    body = _soft_min(body, _rib(p, p[0], p[1], 51.0), 7.0)
-    body = _soft_min(body, _rib(p, p[1], p[0], 35.0), 7.0)
-    body = _soft_min(body, flange, 9.0)
-    # Fillets bulge where two surfaces meet at no angle: cut that off.
-    body = _soft_max(body, _soft_max(outline, _slab(p[2], 0.0, TOP), 2.5), 2.5)
-
-    body = _soft_max(body, -_cylinder(p, (0, 0), BORE_RADIUS), 2.0)
-    for bolt in BOLTS:
-        body = _soft_max(body, -_cylinder(p, bolt, BOLT_RADIUS), 1.5)
-        sink = _intersection(
-            _cylinder(p, bolt, COUNTERBORE_RADIUS), BASE_HEIGHT - 3.0 - p[2]
-        )
-        body = _soft_max(body, -sink, 1.2)
-    for hole in FLANGE_HOLES:
-        # Through the flange only, which begins 14 below the top, fillet included.
-        drill = _intersection(_cylinder(p, hole, FLANGE_HOLE_RADIUS), TOP - 20.0 - p[2])
-        body = _soft_max(body, -drill, 1.2)
-    return body
-
-
-def _gradient(points):
-    step = 1e-4
-    gradient = np.empty_like(points)
-    for i in range(3):
-        shift = np.zeros(3)
-        shift[i] = step
-        gradient[:, i] = (distance(points + shift) - distance(points - shift)) / (2 * step)
-    return gradient
-
-
-def _relax(points, triangles, rounds):
-    """Evens out the triangles: points move towards their neighbors' mean, and back to the
-    surface."""
-    edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
-    count = np.bincount(edges[:, 0], minlength=len(points))[:, None]
-    for _ in range(rounds):
-        mean = np.stack(
-            [
-                np.bincount(edges[:, 0], points[edges[:, 1], i], minlength=len(points))
-                for i in range(3)
-            ],
-            axis=1,
-        ) / np.maximum(count, 1)
-        gradient = _gradient(points)
-        normal = gradient / np.maximum(np.linalg.norm(gradient, axis=1), 1e-9)[:, None]
-        move = 0.6 * (mean - points)
-        move -= np.sum(move * normal, axis=1)[:, None] * normal
-        points = points + move
-        points = points - np.clip(distance(points), -0.2, 0.2)[:, None] * normal
-    return points
-
-
-def make_surface(spacing):
-    """The part's surface as a closed vtkPolyData of triangles of about this size."""
+def make_mesh(spacing, volume):
     # No plane of the part is one of the grid, where a surface would touch the samples.
-    low = np.array([-62.0, -44.0, -2.0]) - 0.0137 * spacing
-    high = np.array([62.0, 44.0, TOP + 2.0])
-    size = np.ceil((high - low) / spacing).astype(int) + 1
-    axes = [low[i] + spacing * np.arange(size[i]) for i in range(3)]
-    values = np.empty(size[::-1], dtype=np.float32)
-    yy, xx = np.meshgrid(axes[1], axes[0], indexing="ij")
-    for k, z in enumerate(axes[2]):
-        layer = np.stack([xx.ravel(), yy.ravel(), np.full(xx.size, z)], axis=1)
-        values[k] = distance(layer).reshape(xx.shape)
+    low = np.array([-62, -44, -2]) - 0.0137 * spacing
+    x, y, z = (np.arange(a, b + spacing, spacing) for a, b in zip(low, (62, 44, 66)))
+    image = new(vtk.vtkImageData, Dimensions=(len(x), len(y), len(z)), Origin=low, Spacing=[spacing] * 3)
+    set_array(image, part_function(x, y[:, None], z[:, None, None]).ravel(), "function")
+    surface = output_of(new(vtk.vtkFlyingEdges3D, ComputeNormals=False, ComputeScalars=False), image)
+    # Points move to where triangles are even, but stay on the surface.
+    smooth = new(vtk.vtkSmoothPolyDataFilter, SourceData=surface, RelaxationFactor=0.5, NumberOfIterations=25)
+    mesher = new(gatun.vtkGatunTetrahedralize, Quality=1.414, MaximumVolume=volume, PreserveSurface=True)
+    return output_of(mesher, output_of(smooth, surface))
 
-    image = vtkImageData()
-    image.SetDimensions(*(int(n) for n in size))
-    image.SetOrigin(*low)
-    image.SetSpacing(spacing, spacing, spacing)
-    scalars = numpy_to_vtk(values.ravel(), deep=True)
-    image.GetPointData().SetScalars(scalars)
-    contour = vtkFlyingEdges3D()
-    contour.SetInputData(image)
-    contour.SetValue(0, 0.0)
-    contour.ComputeNormalsOff()
-    contour.ComputeScalarsOff()
-    contour.Update()
 
-    surface = vtkPolyData()
-    surface.DeepCopy(contour.GetOutput())
-    points = vtk_to_numpy(surface.GetPoints().GetData()).astype(np.float64)
-    triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    points = _relax(points, triangles, 25)
-    surface.GetPoints().SetData(numpy_to_vtk(points.astype(np.float32), deep=True))
-    return surface
+def bend(grid, displacement, count):
+    """Improves a displacement by steps of conjugate gradients, and gives it and its stress to the grid."""
+    print(f"Bending {grid.GetNumberOfCells():,} tetrahedra")
+    points = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
+    tets = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 4)
+    edges = points[tets[:, 1:]] - points[tets[:, :1]]
+    # Of the functions that are 1 at a corner and 0 at the others.
+    gradients = np.swapaxes(np.linalg.inv(edges), 1, 2)
+    gradients = np.concatenate([-gradients.sum(1, keepdims=True), gradients], 1)
+    volumes = np.abs(np.linalg.det(edges))[:, None, None] / 6
+
+    def to_points(values):
+        return np.stack([np.bincount(tets.ravel(), v.ravel(), len(points)) for v in np.moveaxis(values, 2, 0)], 1)
+
+    def stress_of(displacement):
+        slope = np.matmul(np.swapaxes(displacement[tets], 1, 2), gradients)
+        trace = np.trace(slope, axis1=1, axis2=2)[:, None, None]
+        return YOUNG / (1 + POISSON) * ((slope + np.swapaxes(slope, 1, 2)) / 2 +
+                                        POISSON / (1 - 2 * POISSON) * trace * np.eye(3))
+
+    def forces_of(displacement):
+        return free * to_points(np.matmul(gradients, volumes * stress_of(displacement)))
+
+    x, y, z = points.T
+    # The heads of the bolts press on the rings at the bottom of the counterbores.
+    free = ((np.hypot(np.abs(x) - BOLT[0], np.abs(y) - BOLT[1]) > 10) | (z > 10))[:, None]
+    pushed = ((np.hypot(x, y) < 14) & (z > 50))[:, None]
+    load = pushed * [6000.0, 2500.0, -3000.0] / pushed.sum()
+    weight = free / to_points(volumes * np.sum(gradients ** 2, axis=2, keepdims=True))
+    displacement = displacement * free
+    residual = load - forces_of(displacement)
+    step, product = 0, 1
+    for _ in range(count):
+        before, product = product, np.sum(residual * weight * residual)
+        step = weight * residual + product / before * step
+        response = forces_of(step)
+        length = product / np.sum(step * response)
+        displacement += length * step
+        residual -= length * response
+
+    stress = stress_of(displacement)
+    stress -= np.eye(3) * np.trace(stress, axis1=1, axis2=2)[:, None, None] / 3
+    mises = np.sqrt(1.5 * np.sum(stress ** 2, axis=(1, 2), keepdims=True))
+    around = np.ones((1, 4, 1)) * volumes
+    set_array(grid, displacement, DISPLACEMENT)
+    set_array(grid, to_points(around * mises) / to_points(around), "von Mises stress [MPa]")
+
+
+def make_part(size):
+    """The loaded part with its stress and displacement."""
+    grid = make_mesh(*SIZES["small"])
+    bend(grid, np.zeros((grid.GetNumberOfPoints(), 3)), 500)
+    if size != "small":
+        coarse, grid = grid, make_mesh(*SIZES[size])
+        kernel = new(vtk.vtkShepardKernel, KernelFootprint=vtk.vtkGeneralizedKernel.N_CLOSEST)
+        carried = output_of(new(vtk.vtkPointInterpolator, SourceData=coarse, Kernel=kernel), grid)
+        # From there, few steps suffice for a picture, though not for the largest stress.
+        bend(grid, vtk_to_numpy(carried.GetPointData().GetArray(DISPLACEMENT)), 30)
+    return grid

@@ -24,7 +24,7 @@ Ids Count(std::uint32_t count, std::uint32_t first = 0)
   return ids;
 }
 
-bool IsLeft(const std::array<double, 3>& point)
+bool IsInLeftPart(const std::array<double, 3>& point)
 {
   return point[0] < 0.3;
 }
@@ -112,8 +112,8 @@ TEST(CellCodec, KeepsSoups)
   for (unsigned seed = 0; seed < 6; ++seed)
   {
     ExpectRoundTrip(MakeCellCase(MakeZoo(40 + 400 * seed, 500, seed)));
-    ExpectRoundTrip(
-      MakeCellCase(MakeZoo(200, 300, seed), { .Type = ScalarType::Float32, .IsShared = IsLeft }));
+    ExpectRoundTrip(MakeCellCase(
+      MakeZoo(200, 300, seed), { .Type = ScalarType::Float32, .IsShared = IsInLeftPart }));
   }
 }
 
@@ -123,13 +123,13 @@ TEST(CellCodec, KeepsHexahedra)
   {
     auto mesh = MakeHexes(8, jitter);
     ExpectRoundTrip(MakeCellCase(mesh));
-    ExpectRoundTrip(MakeCellCase(mesh, { .Type = ScalarType::Float32, .IsShared = IsLeft }));
+    ExpectRoundTrip(MakeCellCase(mesh, { .Type = ScalarType::Float32, .IsShared = IsInLeftPart }));
     ExpectRoundTrip(
       MakeCellCase(mesh, { .IsShared = [](const std::array<double, 3>&) { return true; } }));
     ShuffleCells(mesh);
     ExpectRoundTrip(MakeCellCase(mesh));
   }
-  ExpectRoundTrip(MakeCellCase(MakeHexes(8, 0), { .Palettes = true, .IsShared = IsLeft }));
+  ExpectRoundTrip(MakeCellCase(MakeHexes(8, 0), { .Palettes = true, .IsShared = IsInLeftPart }));
 }
 
 TEST(CellCodec, KeepsTheSmallestChunks)
@@ -205,9 +205,9 @@ TEST(CellCodec, OrdersCellsInSpace)
 
 TEST(CellCodec, RejectsDamagedStreams)
 {
-  ExpectSafe(MakeCellCase(MakeHexes(4, 0.1), { .IsShared = IsLeft }));
+  ExpectSafe(MakeCellCase(MakeHexes(4, 0.1), { .IsShared = IsInLeftPart }));
   ExpectSafe(MakeCellCase(MakeHexes(4, 0), { .Palettes = true }));
-  ExpectSafe(MakeCellCase(MakeZoo(60, 120, 1), { .IsShared = IsLeft }));
+  ExpectSafe(MakeCellCase(MakeZoo(60, 120, 1), { .IsShared = IsInLeftPart }));
 }
 
 TEST(CellCodec, BoundsMemoryByTheLengthOfTheStream)

@@ -118,7 +118,7 @@ TestMesh MakeDust(std::int64_t count)
   return mesh;
 }
 
-bool IsLeft(const double* point)
+bool IsLeftPoint(const double* point)
 {
   return point[0] < 1.5;
 }
@@ -148,7 +148,7 @@ TEST(ChunkCodec, KeepsSharedVertices)
   for (const double jitter : { 0.0, 0.3 })
   {
     CaseOptions options;
-    options.IsShared = IsLeft;
+    options.IsShared = IsLeftPoint;
     ExpectRoundTrip(MakeCase(MakeCubes(10, jitter), options));
     options.IsShared = [](const double*) { return true; };
     ExpectRoundTrip(MakeCase(MakeCubes(6, jitter), options));
@@ -159,7 +159,7 @@ TEST(ChunkCodec, KeepsPalettes)
 {
   ExpectRoundTrip(MakeCase(MakeCubes(10, 0), { .Palettes = true }));
   ExpectRoundTrip(MakeCase(
-    MakeCubes(8, 0.3), { .Type = ScalarType::Float32, .Palettes = true, .IsShared = IsLeft }));
+    MakeCubes(8, 0.3), { .Type = ScalarType::Float32, .Palettes = true, .IsShared = IsLeftPoint }));
 }
 
 TEST(ChunkCodec, KeepsTheSmallestChunks)
@@ -168,7 +168,7 @@ TEST(ChunkCodec, KeepsTheSmallestChunks)
   mesh.Coordinates = { 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1 };
   mesh.Ids = { 0, 1, 2, 3 };
   ExpectRoundTrip(MakeCase(mesh));
-  ExpectRoundTrip(MakeCase(mesh, { .IsShared = IsLeft }));
+  ExpectRoundTrip(MakeCase(mesh, { .IsShared = IsLeftPoint }));
   mesh.Ids = { 2, 2, 2, 2, 3, 1, 1, 0, 1, 0, 2, 3 }; // corners named twice
   ExpectRoundTrip(MakeCase(mesh));
 }
@@ -204,7 +204,7 @@ TEST(ChunkCodec, KeepsFlatMeshes)
   {
     flat.Coordinates[i] = 5;
   }
-  ExpectRoundTrip(MakeCase(flat, { .IsShared = IsLeft }));
+  ExpectRoundTrip(MakeCase(flat, { .IsShared = IsLeftPoint }));
   std::fill(flat.Coordinates.begin(), flat.Coordinates.end(), -0.0);
   ExpectRoundTrip(MakeCase(flat));
 }
@@ -221,7 +221,7 @@ TEST(ChunkCodec, KeepsExtremeCoordinates)
     {
       mesh.Coordinates[at += 41] = odd;
     }
-    ExpectRoundTrip(MakeCase(mesh, { .Type = type, .IsShared = IsLeft }));
+    ExpectRoundTrip(MakeCase(mesh, { .Type = type, .IsShared = IsLeftPoint }));
     std::fill(mesh.Coordinates.begin(), mesh.Coordinates.end(), nan);
     ExpectRoundTrip(MakeCase(mesh, { .Type = type }));
   }
@@ -280,7 +280,7 @@ void ExpectNoHarm(const ChunkFrame& frame, const Bytes& connectivity, const Byte
 
 TEST(ChunkCodec, SurvivesDamage)
 {
-  CaseOptions palettes{ .Palettes = true, .IsShared = IsLeft };
+  CaseOptions palettes{ .Palettes = true, .IsShared = IsLeftPoint };
   for (const auto& chunk : { MakeCase(MakeCubes(5, 0)), MakeCase(MakeCubes(5, 0.3), palettes),
          MakeCase(MakeSoup(40, 200)) })
   {
@@ -308,7 +308,7 @@ TEST(ChunkCodec, SurvivesDamage)
 TEST(ChunkCodec, SurvivesNoise)
 {
   std::mt19937 random(5);
-  auto chunk = MakeCase(MakeCubes(5, 0.3), { .IsShared = IsLeft });
+  auto chunk = MakeCase(MakeCubes(5, 0.3), { .IsShared = IsLeftPoint });
   for (int i = 0; i < 300; ++i)
   {
     Bytes connectivity(400);

@@ -18,7 +18,7 @@ namespace
 using namespace gatun;
 using namespace gatun::test;
 
-constexpr std::uint32_t Side = 40;
+constexpr std::uint32_t PlaneSide = 40;
 
 using GetHeight = std::function<double(double, double, std::mt19937&)>;
 
@@ -28,22 +28,22 @@ TestCells MakeSheet(const GetHeight& getHeight)
   std::mt19937 random(7);
   std::uniform_real_distribution<double> move(-0.3, 0.3);
   TestCells mesh;
-  for (std::uint32_t y = 0; y < Side; ++y)
+  for (std::uint32_t y = 0; y < PlaneSide; ++y)
   {
-    for (std::uint32_t x = 0; x < Side; ++x)
+    for (std::uint32_t x = 0; x < PlaneSide; ++x)
     {
       const double u = x + move(random);
       const double v = y + move(random);
       mesh.AddPoint(u, v, getHeight(u, v, random));
     }
   }
-  for (std::uint32_t y = 0; y + 1 < Side; ++y)
+  for (std::uint32_t y = 0; y + 1 < PlaneSide; ++y)
   {
-    for (std::uint32_t x = 0; x + 1 < Side; ++x)
+    for (std::uint32_t x = 0; x + 1 < PlaneSide; ++x)
     {
-      const auto a = y * Side + x;
-      mesh.Add(5, { a, a + 1, a + Side + 1 });
-      mesh.Add(5, { a, a + Side + 1, a + Side });
+      const auto a = y * PlaneSide + x;
+      mesh.Add(5, { a, a + 1, a + PlaneSide + 1 });
+      mesh.Add(5, { a, a + PlaneSide + 1, a + PlaneSide });
     }
   }
   return mesh;

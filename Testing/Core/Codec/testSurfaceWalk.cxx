@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunTestCells.h"
+#include "gatunWalkSamples.h"
 
 #include "gatunError.h"
 
@@ -19,14 +20,7 @@ using namespace gatun::test;
 
 constexpr std::uint8_t SurfaceFlag = 4;
 
-ShapeTable MakeShapes(const CellList& cells)
-{
-  ShapeTable table;
-  table.Add(cells);
-  return ShapeTable::Read(table.Write());
-}
-
-EncodedCells ExpectWalk(const TestCells& mesh, const CellCaseOptions& options = {})
+EncodedCells ExpectSurfaceWalk(const TestCells& mesh, const CellCaseOptions& options = {})
 {
   const auto chunk = MakeCellCase(mesh, options);
   auto encoded = ExpectRoundTrip(chunk, MakeShapes(chunk.Cells));
@@ -36,13 +30,8 @@ EncodedCells ExpectWalk(const TestCells& mesh, const CellCaseOptions& options = 
 
 double GetConnectivityBits(const TestCells& mesh)
 {
-  const auto encoded = ExpectWalk(mesh);
+  const auto encoded = ExpectSurfaceWalk(mesh);
   return GetBits(encoded.Connectivity, encoded);
-}
-
-bool IsLeft(const std::array<double, 3>& point)
-{
-  return point[0] < 3.5;
 }
 
 /** Adds the cells of a quadrilateral of four points in a cycle. */
@@ -211,7 +200,7 @@ TestCells MakeIrregular(int n, unsigned flips)
 }
 
 /** Decodes damaged streams. They must give a mesh or Error(Corrupt). */
-void ExpectSafe(const TestCells& mesh)
+void ExpectSafeSurface(const TestCells& mesh)
 {
   const auto chunk = MakeCellCase(mesh, { .IsShared = IsLeft });
   const auto shapes = MakeShapes(chunk.Cells);
@@ -251,7 +240,7 @@ TEST(SurfaceWalk, KeepsGrids)
     auto mesh = MakeGrid(100, 100, add);
     ShuffleCells(mesh);
     EXPECT_LT(GetConnectivityBits(mesh), 0.1);
-    ExpectWalk(MakeGrid(20, 10, add), { .Palettes = true, .IsShared = IsLeft });
+    ExpectSurfaceWalk(MakeGrid(20, 10, add), { .Palettes = true, .IsShared = IsLeft });
   }
 }
 
@@ -262,9 +251,9 @@ TEST(SurfaceWalk, KeepsClosedAndOneSidedSurfaces)
     for (const auto& add : { AddType(9), AddQuad(AddTriangles), AddAny(5) })
     {
       auto mesh = MakeGrid(60, 6, add, { .Jitter = 0.1, .Closed = true, .Twisted = twisted });
-      ExpectWalk(mesh);
+      ExpectSurfaceWalk(mesh);
       ShuffleCells(mesh);
-      ExpectWalk(mesh, { .Type = ScalarType::Float32, .IsShared = IsLeft });
+      ExpectSurfaceWalk(mesh, { .Type = ScalarType::Float32, .IsShared = IsLeft });
     }
   }
 }
@@ -291,7 +280,7 @@ TEST(SurfaceWalk, KeepsIrregularTriangles)
   // The corners may begin at any of three points.
   const auto cells = static_cast<double>(mesh.Cells.GetNumber());
   EXPECT_LT(GetConnectivityBits(mesh), std::log2(3.0) + entropy / cells);
-  ExpectWalk(mesh, { .Type = ScalarType::Float32, .IsShared = IsLeft });
+  ExpectSurfaceWalk(mesh, { .Type = ScalarType::Float32, .IsShared = IsLeft });
 }
 
 TEST(SurfaceWalk, TakesNoLessThanTheInformation)
@@ -322,7 +311,7 @@ TEST(SurfaceWalk, PredictsAsWellAsParallelograms)
     point = { 100 + point[0] + 0.5 * point[1], 200 + point[1], 300 + 2 * point[0] - point[1] };
   }
   ShuffleCells(mesh);
-  const auto encoded = ExpectWalk(mesh);
+  const auto encoded = ExpectSurfaceWalk(mesh);
   EXPECT_LT(8.0 * static_cast<double>(encoded.Geometry.size()), 2.0 * 51 * 51);
 }
 
@@ -331,7 +320,7 @@ TEST(SurfaceWalk, KeepsMixedCells)
   for (const unsigned seed : { 1u, 2u, 3u })
   {
     auto mesh = MakeGrid(24, 17, AddAny(seed), { .Jitter = 0.3, .Height = 2 });
-    ExpectWalk(mesh);
+    ExpectSurfaceWalk(mesh);
     for (std::uint32_t i = 0; i < 40; ++i)
     {
       mesh.Add(3, { i, i + 30 });
@@ -339,7 +328,7 @@ TEST(SurfaceWalk, KeepsMixedCells)
       mesh.Add(6, { i, i + 1, i + 26, i + 27, i + 52 });
     }
     ShuffleCells(mesh);
-    ExpectWalk(mesh, { .Type = ScalarType::Float32, .IsShared = IsLeft });
+    ExpectSurfaceWalk(mesh, { .Type = ScalarType::Float32, .IsShared = IsLeft });
   }
 }
 
@@ -358,7 +347,7 @@ TEST(SurfaceWalk, KeepsShellsBesideAndInsideOfSolids)
       mesh.Add(9, { id(a, 4, b), id(a + 1, 4, b), id(a + 1, 4, b + 1), id(a, 4, b + 1) });
     }
   }
-  const auto bare = ExpectWalk(mesh).Connectivity;
+  const auto bare = ExpectSurfaceWalk(mesh).Connectivity;
   EXPECT_EQ(bare[0] & 7, 7);
   std::vector<std::uint32_t> last;
   for (int a = 0; a <= 8; ++a)
@@ -377,10 +366,10 @@ TEST(SurfaceWalk, KeepsShellsBesideAndInsideOfSolids)
       }
     }
   }
-  ExpectWalk(mesh);
-  ExpectWalk(mesh, { .IsShared = IsLeft });
-  ExpectWalk(mesh, { .IsShared = [](const std::array<double, 3>&) { return true; } });
-  ExpectSafe(mesh);
+  ExpectSurfaceWalk(mesh);
+  ExpectSurfaceWalk(mesh, { .IsShared = IsLeft });
+  ExpectSurfaceWalk(mesh, { .IsShared = [](const std::array<double, 3>&) { return true; } });
+  ExpectSafeSurface(mesh);
 }
 
 TEST(SurfaceWalk, KeepsEdgesOfManyCells)
@@ -417,10 +406,10 @@ TEST(SurfaceWalk, KeepsEdgesOfManyCells)
       last = next;
     }
   }
-  ExpectWalk(mesh);
+  ExpectSurfaceWalk(mesh);
   ShuffleCells(mesh);
-  ExpectWalk(mesh, { .IsShared = IsLeft });
-  ExpectSafe(mesh);
+  ExpectSurfaceWalk(mesh, { .IsShared = IsLeft });
+  ExpectSafeSurface(mesh);
 }
 
 TEST(SurfaceWalk, KeepsCellsThatMeetInPoints)
@@ -435,8 +424,8 @@ TEST(SurfaceWalk, KeepsCellsThatMeetInPoints)
       }
       ++n;
     });
-  ExpectWalk(mesh);
-  ExpectWalk(mesh, { .IsShared = IsLeft });
+  ExpectSurfaceWalk(mesh);
+  ExpectSurfaceWalk(mesh, { .IsShared = IsLeft });
 }
 
 TEST(SurfaceWalk, KeepsNodesOfNonlinearCells)
@@ -489,9 +478,9 @@ TEST(SurfaceWalk, KeepsNodesOfNonlinearCells)
         }
       },
       { .Height = 1 });
-    ExpectWalk(mesh);
-    ExpectWalk(mesh, { .Palettes = true, .IsShared = IsLeft });
-    ExpectSafe(mesh);
+    ExpectSurfaceWalk(mesh);
+    ExpectSurfaceWalk(mesh, { .Palettes = true, .IsShared = IsLeft });
+    ExpectSafeSurface(mesh);
   }
 }
 
@@ -568,19 +557,19 @@ TEST(SurfaceWalk, KeepsStrangePlaces)
   constexpr double infinity = std::numeric_limits<double>::infinity();
   mesh.Points[30] = { infinity, -infinity, 0 };
   mesh.Points[60] = { 1e308, -1e308, 1e-310 };
-  ExpectWalk(mesh);
+  ExpectSurfaceWalk(mesh);
   for (auto& point : mesh.Points)
   {
     point = { 1, 1, 1 };
   }
-  ExpectWalk(mesh);
+  ExpectSurfaceWalk(mesh);
 }
 
 TEST(SurfaceWalk, RejectsDamagedStreams)
 {
-  ExpectSafe(MakeGrid(20, 20, AddTriangles, { .Jitter = 0.1 }));
-  ExpectSafe(MakeGrid(20, 20, AddAny(1), { .Jitter = 0.1 }));
-  ExpectSafe(MakeGrid(40, 4, AddType(9), { .Closed = true, .Twisted = true }));
+  ExpectSafeSurface(MakeGrid(20, 20, AddTriangles, { .Jitter = 0.1 }));
+  ExpectSafeSurface(MakeGrid(20, 20, AddAny(1), { .Jitter = 0.1 }));
+  ExpectSafeSurface(MakeGrid(40, 4, AddType(9), { .Closed = true, .Twisted = true }));
 }
 
 TEST(SurfaceWalk, FirstCornersOfTrianglesAreFree)

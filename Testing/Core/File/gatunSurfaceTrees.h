@@ -26,7 +26,7 @@ inline TreeSample ToSample(const Sheet& sheet, std::size_t steps)
   }
   sample.Singles.assign(sample.Coordinates.begin(), sample.Coordinates.end());
   sample.Offsets = { 0 };
-  for (const Triangle& triangle : sheet.Triangles)
+  for (const SheetTriangle& triangle : sheet.Triangles)
   {
     sample.Ids.insert(sample.Ids.end(), triangle.begin(), triangle.end());
     sample.Offsets.push_back(static_cast<std::int64_t>(sample.Ids.size()));
@@ -49,7 +49,7 @@ inline void BuildSurfaceTree(TreeSample& sample, const std::vector<double>& fiel
   {
     std::copy_n(&sample.Coordinates[3 * i], 3, points[i].begin());
   }
-  std::vector<Triangle> triangles;
+  std::vector<SheetTriangle> triangles;
   std::vector<std::uint8_t> isKept(points.size(), 0);
   for (std::size_t cell = 0; cell < sample.Types.size(); ++cell)
   {

@@ -43,7 +43,7 @@ std::string Write(const Mixture& mesh, std::uint8_t keep, std::uint32_t chunkTet
   return path;
 }
 
-PieceRequest AskForAll(const FileReader& file, PieceForm form)
+PieceRequest AskForForm(const FileReader& file, PieceForm form)
 {
   PieceRequest request;
   request.Chunks.resize(file.GetChunks().size());
@@ -59,7 +59,7 @@ void ReadForm(const std::string& path, PieceForm form)
 {
   const auto file = std::make_shared<FileReader>(path);
   PieceDecoder decoder(file);
-  decoder.SetRequest(AskForAll(*file, form));
+  decoder.SetRequest(AskForForm(*file, form));
   const auto cells = static_cast<std::size_t>(decoder.GetNumberOfCells());
   const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());
   PieceCells memory(decoder.IsTetrahedral(), cells,
@@ -100,7 +100,7 @@ TEST(CellFile, CellsComeBackInTheirOrder)
     EXPECT_EQ(sum, mesh.Types.size());
 
     PieceDecoder decoder(file);
-    decoder.SetRequest(AskForAll(*file, PieceForm::Original));
+    decoder.SetRequest(AskForForm(*file, PieceForm::Original));
     ASSERT_FALSE(decoder.IsTetrahedral());
     ASSERT_EQ(decoder.GetNumberOfCells(), mesh.Types.size());
     ASSERT_EQ(decoder.GetConnectivitySize(), mesh.Ids.size());
@@ -140,7 +140,7 @@ TEST(CellFile, TetrahedraHaveTheValuesOfTheirCells)
   const Mixture mesh(4);
   const auto file = std::make_shared<FileReader>(Write(mesh, KeepNone));
   PieceDecoder decoder(file);
-  decoder.SetRequest(AskForAll(*file, PieceForm::Tetrahedra));
+  decoder.SetRequest(AskForForm(*file, PieceForm::Tetrahedra));
   ASSERT_TRUE(decoder.IsTetrahedral());
   const auto tets = static_cast<std::size_t>(decoder.GetNumberOfCells());
   EXPECT_EQ(tets, file->GetNumberOfTets());

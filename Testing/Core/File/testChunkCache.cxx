@@ -31,7 +31,7 @@ using namespace gatun;
 using namespace gatun::test;
 
 constexpr std::uint64_t Unlimited = ~std::uint64_t{ 0 };
-constexpr std::size_t Steps = 21; // more than are walked at once
+constexpr std::size_t CachedSteps = 21; // more than are walked at once
 constexpr std::size_t Pieces = 8;
 
 /** A file with several chunks and steps: a point and a cell array of doubles, one of few values. */
@@ -54,7 +54,7 @@ std::shared_ptr<const FileReader> MakeFile(
   options.KeyStepInterval = 19;
   FileWriter writer(path, mesh.GetInput(), arrays, options);
   std::mt19937 random(4);
-  for (std::size_t step = 0; step < Steps; ++step)
+  for (std::size_t step = 0; step < CachedSteps; ++step)
   {
     const auto time = static_cast<double>(step);
     std::vector<double> field, noise;
@@ -142,7 +142,7 @@ std::vector<PieceRequest> MakeRequests(const FileReader& file)
   {
     const std::size_t pieces = 1 + random() % 5;
     auto request = AskFor(
-      file, random() % pieces, pieces, static_cast<unsigned>(random() % 3), random() % Steps);
+      file, random() % pieces, pieces, static_cast<unsigned>(random() % 3), random() % CachedSteps);
     if (random() % 3 == 0)
     {
       request.Arrays.erase(request.Arrays.begin() + random() % 3);
@@ -210,14 +210,14 @@ TEST(ChunkCache, OtherArraysAndStepsDecodeNoMesh)
   Answer(decoder, AskFor(*file, 0, 1, 0, 0, { 0, 1 }));
   EXPECT_EQ(cache->GetStatistics().ArraysDecoded, 2 * chunks);
   // One step on decodes one step.
-  for (std::size_t step = 1; step < Steps; ++step)
+  for (std::size_t step = 1; step < CachedSteps; ++step)
   {
     Answer(decoder, AskFor(*file, 0, 1, 0, step, { 0, 1 }));
     EXPECT_EQ(cache->GetStatistics().ArraysDecoded, (2 + 2 * step) * chunks);
   }
   // And those before are still there.
   Answer(decoder, AskFor(*file, 0, 1, 0, 7, { 0 }));
-  EXPECT_EQ(cache->GetStatistics().ArraysDecoded, 2 * Steps * chunks);
+  EXPECT_EQ(cache->GetStatistics().ArraysDecoded, 2 * CachedSteps * chunks);
   EXPECT_EQ(cache->GetStatistics().MeshesDecoded, chunks);
 }
 

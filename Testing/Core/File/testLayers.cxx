@@ -46,9 +46,9 @@ void WriteLayered(const std::string& path, const TestMesh& mesh, std::uint32_t c
 }
 
 /** A row of tetrahedra with one value at each point, as doubles. */
-struct Row
+struct LayerRow
 {
-  explicit Row(std::vector<double> values)
+  explicit LayerRow(std::vector<double> values)
     : Numbers(std::move(values))
   {
     const auto points = static_cast<std::int64_t>(this->Numbers.size());
@@ -101,16 +101,16 @@ std::vector<double> Count(std::size_t n)
 TEST(Layers, UniformOnesAreAsWideAsEachOther)
 {
   EXPECT_EQ(
-    Row(Count(101)).FindBounds(LayerSpacing::Uniform, 4), (std::vector<double>{ 25, 50, 75 }));
-  EXPECT_TRUE(Row(Count(101)).FindBounds(LayerSpacing::Uniform, 1).empty());
+    LayerRow(Count(101)).FindBounds(LayerSpacing::Uniform, 4), (std::vector<double>{ 25, 50, 75 }));
+  EXPECT_TRUE(LayerRow(Count(101)).FindBounds(LayerSpacing::Uniform, 1).empty());
   // Neither their sum nor their difference is finite.
-  EXPECT_EQ(Row({ -1.5e308, 0, 0, 1.5e308 }).FindBounds(LayerSpacing::Uniform, 2),
+  EXPECT_EQ(LayerRow({ -1.5e308, 0, 0, 1.5e308 }).FindBounds(LayerSpacing::Uniform, 2),
     (std::vector<double>{ 0 }));
 }
 
 TEST(Layers, NormalOnesFollowMeanAndDeviation)
 {
-  const Row row(Count(101));
+  const LayerRow row(Count(101));
   const double deviation = std::sqrt((101.0 * 101 - 1) / 12);
   const auto bounds = row.FindBounds(LayerSpacing::Normal, 4);
   ASSERT_EQ(bounds.size(), 3u);
@@ -120,7 +120,7 @@ TEST(Layers, NormalOnesFollowMeanAndDeviation)
   // The last ones would be beyond the values.
   EXPECT_LT(row.FindBounds(LayerSpacing::Normal, 1000).size(), 950u);
   // The mean of numbers whose sums are not finite.
-  const auto middle = Row({ -1.5e308, 0, 0, 1.5e308 }).FindBounds(LayerSpacing::Normal, 2);
+  const auto middle = LayerRow({ -1.5e308, 0, 0, 1.5e308 }).FindBounds(LayerSpacing::Normal, 2);
   ASSERT_EQ(middle.size(), 1u);
   EXPECT_NEAR(middle[0], 0, 1e295);
 }
@@ -155,15 +155,15 @@ TEST(Layers, NoneIsWithoutValues)
 {
   for (const auto spacing : AllSpacings)
   {
-    EXPECT_TRUE(Row(std::vector<double>(20, 3.5)).FindBounds(spacing, 8).empty());
-    EXPECT_TRUE(Row(std::vector<double>(20, std::nan(""))).FindBounds(spacing, 8).empty());
-    EXPECT_TRUE(Row(std::vector<double>(20, Infinity)).FindBounds(spacing, 8).empty());
-    EXPECT_TRUE(Row(std::vector<double>{}).FindBounds(spacing, 8).empty());
+    EXPECT_TRUE(LayerRow(std::vector<double>(20, 3.5)).FindBounds(spacing, 8).empty());
+    EXPECT_TRUE(LayerRow(std::vector<double>(20, std::nan(""))).FindBounds(spacing, 8).empty());
+    EXPECT_TRUE(LayerRow(std::vector<double>(20, Infinity)).FindBounds(spacing, 8).empty());
+    EXPECT_TRUE(LayerRow(std::vector<double>{}).FindBounds(spacing, 8).empty());
   }
   // Two values, and tetrahedra of one of them, of the other, or both.
   std::vector<double> two(20, 1);
   std::fill(two.begin() + 10, two.end(), 2);
-  const auto bounds = Row(two).FindBounds(LayerSpacing::Histogram, 64);
+  const auto bounds = LayerRow(two).FindBounds(LayerSpacing::Histogram, 64);
   ASSERT_FALSE(bounds.empty());
   EXPECT_LE(bounds.size(), 2u);
   for (const double bound : bounds)
@@ -175,12 +175,12 @@ TEST(Layers, NoneIsWithoutValues)
 TEST(Layers, PointsOfNoTetrahedronDoNotCount)
 {
   const auto values = Count(101);
-  Row row(values);
+  LayerRow row(values);
   row.Numbers.push_back(1e6);
   row.Mesh.Coordinates.insert(row.Mesh.Coordinates.end(), { 0, 0, 0 });
   for (const auto spacing : AllSpacings)
   {
-    EXPECT_EQ(row.FindBounds(spacing, 5), Row(values).FindBounds(spacing, 5));
+    EXPECT_EQ(row.FindBounds(spacing, 5), LayerRow(values).FindBounds(spacing, 5));
   }
 }
 
@@ -397,14 +397,14 @@ TEST(Layers, WhatIsNoNumberIsInTheFirstAndInfinityAtTheEnds)
   std::fill(values.begin() + 300, values.begin() + 340, -Infinity);
   for (const auto spacing : AllSpacings)
   {
-    const auto layers = Row(values).Write(GetPath("odd.gtn"), 4, spacing);
+    const auto layers = LayerRow(values).Write(GetPath("odd.gtn"), 4, spacing);
     ASSERT_EQ(layers.GetCount(), 4u);
     for (const double bound : layers.Bounds)
     {
       EXPECT_TRUE(bound > 40 && bound < 400) << bound;
     }
   }
-  const Row row(values);
+  const LayerRow row(values);
   const MeshAccess mesh(row.Mesh.GetInput());
   const LayerValues numbers(row.Description, Ask(row.Numbers.data(), 4));
   Layers layers;
@@ -429,10 +429,11 @@ TEST(Layers, MeshesOfOneValueOrOfNothingHaveOne)
   const auto path = GetPath("one.gtn");
   for (const auto spacing : AllSpacings)
   {
-    EXPECT_EQ(Row(std::vector<double>(300, -7)).Write(path, 9, spacing).GetCount(), 1u);
-    EXPECT_EQ(Row(std::vector<double>(300, std::nan(""))).Write(path, 9, spacing).GetCount(), 1u);
-    EXPECT_EQ(Row(std::vector<double>(2, 1)).Write(path, 9, spacing).GetCount(), 1u);
-    EXPECT_EQ(Row(std::vector<double>{}).Write(path, 9, spacing).Chunks.size(), 0u);
+    EXPECT_EQ(LayerRow(std::vector<double>(300, -7)).Write(path, 9, spacing).GetCount(), 1u);
+    EXPECT_EQ(
+      LayerRow(std::vector<double>(300, std::nan(""))).Write(path, 9, spacing).GetCount(), 1u);
+    EXPECT_EQ(LayerRow(std::vector<double>(2, 1)).Write(path, 9, spacing).GetCount(), 1u);
+    EXPECT_EQ(LayerRow(std::vector<double>{}).Write(path, 9, spacing).Chunks.size(), 0u);
   }
 }
 
@@ -452,7 +453,7 @@ TEST(Layers, TheSmallestBucketsAreJoinedWithTheirNeighbors)
   std::vector<double> values(100, 0);
   values.insert(values.end(), 100, 1.0);
   values.insert(values.end(), 8, 9.0);
-  const Row row(values);
+  const LayerRow row(values);
   const MeshAccess mesh(row.Mesh.GetInput());
   const LayerValues numbers(row.Description, Ask(row.Numbers.data(), 10));
   Layers layers;

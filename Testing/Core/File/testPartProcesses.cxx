@@ -139,7 +139,7 @@ std::vector<std::string> WriteTogether(const std::string& path, const Processes&
   return errors;
 }
 
-PartWriterOptions MakeOptions(std::uint8_t keep)
+PartWriterOptions MakeProcessOptions(std::uint8_t keep)
 {
   PartWriterOptions options;
   options.File.ChunkTets = 200;
@@ -176,7 +176,7 @@ void ExpectSameBytes(const PartMesh& mesh, std::uint8_t keep, int steps, bool wi
   const auto parts = Divide(mesh, 6, DealRandomly(mesh, 6, 5));
   const auto alone = GetPath("alone.gtn");
   const auto together = GetPath("together.gtn");
-  auto options = MakeOptions(keep);
+  auto options = MakeProcessOptions(keep);
   WriteParts(alone, parts, options, steps, withIds);
   const auto expected = ReadBytes(alone);
   std::filesystem::remove(alone);
@@ -238,9 +238,10 @@ TEST(PartProcesses, UnusedPointsOfAllProcessesAreWritten)
   }
   for (const std::uint8_t keep : { KeepNone, KeepAll })
   {
-    WriteParts(GetPath("alone.gtn"), parts, MakeOptions(keep), 3);
+    WriteParts(GetPath("alone.gtn"), parts, MakeProcessOptions(keep), 3);
     const auto errors = WriteTogether(GetPath("together.gtn"),
-      { { parts[0] }, { parts[1] }, {}, { parts[2], parts[3] }, {} }, MakeOptions(keep), 3, false);
+      { { parts[0] }, { parts[1] }, {}, { parts[2], parts[3] }, {} }, MakeProcessOptions(keep), 3,
+      false);
     EXPECT_EQ(errors, std::vector<std::string>(5));
     EXPECT_TRUE(ReadBytes(GetPath("together.gtn")) == ReadBytes(GetPath("alone.gtn")));
   }
@@ -255,7 +256,8 @@ TEST(PartProcesses, AnErrorOfOneIsThatOfAll)
   const auto expectErrors =
     [&](const Processes& processes, const Fault& fault, const std::string& what)
   {
-    for (const auto& error : WriteTogether(path, processes, MakeOptions(KeepNone), 2, false, fault))
+    for (const auto& error :
+      WriteTogether(path, processes, MakeProcessOptions(KeepNone), 2, false, fault))
     {
       EXPECT_NE(error.find(what), std::string::npos) << error;
     }
@@ -275,8 +277,8 @@ TEST(PartProcesses, AnErrorOfOneIsThatOfAll)
 TEST(PartProcesses, AFolderThatIsMissingIsAnErrorOfAll)
 {
   const auto parts = Divide(MakeTets(), 1, std::vector<std::size_t>(MakeTets().GetCells(), 0));
-  for (const auto& error : WriteTogether(
-         GetPath("missing") + "/together.gtn", { parts, {}, {} }, MakeOptions(KeepNone), 1, false))
+  for (const auto& error : WriteTogether(GetPath("missing") + "/together.gtn", { parts, {}, {} },
+         MakeProcessOptions(KeepNone), 1, false))
   {
     EXPECT_NE(error.find("missing"), std::string::npos) << error;
   }

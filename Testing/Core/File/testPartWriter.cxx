@@ -21,7 +21,7 @@ namespace
 using namespace gatun;
 using namespace gatun::test;
 
-PartWriterOptions MakeOptions(std::uint8_t keep = KeepNone)
+PartWriterOptions MakePartOptions(std::uint8_t keep = KeepNone)
 {
   PartWriterOptions options;
   options.File.ChunkTets = 200;
@@ -107,7 +107,7 @@ void ExpectJoined(const PartMesh& mesh, bool all)
 {
   const auto whole = GetPath("whole.gtn");
   const auto path = GetPath("parts.gtn");
-  auto options = MakeOptions();
+  auto options = MakePartOptions();
   options.JoinAllPoints = all;
   WriteWhole(whole, mesh, options.File);
   ExpectMesh(whole, mesh, 0);
@@ -199,7 +199,7 @@ TEST(PartWriter, NegativeIdsTellWhichPointsAreInNoOtherPart)
     std::replace_if(
       part.PointIds.begin(), part.PointIds.end(), [&](auto id) { return uses[id] == 1; }, -1);
   }
-  auto options = MakeOptions();
+  auto options = MakePartOptions();
   options.JoinByIdsOnly = true;
   auto statistics = WriteParts(GetPath("parts.gtn"), parts, options, 1, true);
   ExpectMesh(GetPath("parts.gtn"), mesh, 0);
@@ -237,7 +237,7 @@ TEST(PartWriter, OnePartGivesTheFileOfFileWriter)
     {
       for (const int steps : { 0, 1, 3 })
       {
-        const auto options = MakeOptions(keep);
+        const auto options = MakePartOptions(keep);
         WriteWhole(GetPath("whole.gtn"), mesh, options.File, steps);
         WriteParts(GetPath("parts.gtn"), { mesh }, options, steps);
         EXPECT_TRUE(ReadBytes(GetPath("whole.gtn")) == ReadBytes(GetPath("parts.gtn")));
@@ -258,7 +258,7 @@ TEST(PartWriter, BytesDependNeitherOnThreadsNorOnMemory)
       WithNumberOfThreads(threads,
         [&]
         {
-          auto options = MakeOptions(KeepAll);
+          auto options = MakePartOptions(KeepAll);
           options.SpillMemory = memory;
           const auto statistics = WriteParts(GetPath("parts.gtn"), parts, options);
           EXPECT_EQ(statistics.SpilledBytes > 0, memory == 0);
@@ -275,7 +275,7 @@ TEST(PartWriter, WritesTimeSteps)
   auto cubes = MakeCubes(6, 0.2);
   cubes.Coordinates.insert(cubes.Coordinates.end(), { 50, 0, 0, 51, 0, 0 }); // unused
   const auto mesh = MakePartMesh(cubes);
-  auto options = MakeOptions();
+  auto options = MakePartOptions();
   options.File.KeyStepInterval = 3;
   const int steps = 5;
   WriteParts(GetPath("parts.gtn"), Divide(mesh, 6, DealRandomly(mesh, 6, 2)), options, steps);
@@ -293,7 +293,7 @@ TEST(PartWriter, OriginalNumbersCountThroughTheParts)
   cubes.Coordinates.insert(cubes.Coordinates.end(), { 50, 0, 0, 51, 0, 0 }); // unused
   const auto mesh = MakePartMesh(cubes);
   const auto parts = Divide(mesh, 6, DealRandomly(mesh, 6, 2));
-  WriteParts(GetPath("parts.gtn"), parts, MakeOptions(KeepAll));
+  WriteParts(GetPath("parts.gtn"), parts, MakePartOptions(KeepAll));
   const PartContent back(GetPath("parts.gtn"), 0);
   std::set<std::int64_t> seen;
   std::vector<double> coordinates;
@@ -331,10 +331,10 @@ TEST(PartWriter, PartsWithoutCellsOrPoints)
   auto parts = Divide(mesh, 5, DealRandomly(mesh, 3, 2)); // two without cells
   ASSERT_EQ(parts[3].GetPoints(), 0u);
   std::rotate(parts.begin(), parts.begin() + 4, parts.end());
-  WriteParts(GetPath("parts.gtn"), parts, MakeOptions(), 2);
+  WriteParts(GetPath("parts.gtn"), parts, MakePartOptions(), 2);
   ExpectMesh(GetPath("parts.gtn"), mesh, 0);
   ExpectMesh(GetPath("parts.gtn"), mesh, 1);
-  WriteParts(GetPath("parts.gtn"), { parts[0], parts[4] }, MakeOptions());
+  WriteParts(GetPath("parts.gtn"), { parts[0], parts[4] }, MakePartOptions());
   EXPECT_EQ(PartContent(GetPath("parts.gtn"), 0).Mesh.GetPoints(), 0u);
 }
 
@@ -471,13 +471,13 @@ TEST(PartWriter, CracksStay)
   const auto path = GetPath("parts.gtn");
   const auto slabs = Divide(mesh, 4, DealSlabs(mesh, 4, 4));
   // By coordinates, the points of the crack that two slabs have stay apart.
-  const auto byPlace = WriteParts(path, slabs, MakeOptions());
+  const auto byPlace = WriteParts(path, slabs, MakePartOptions());
   EXPECT_EQ(byPlace.Points, 150u + 3u * 10u);
   EXPECT_EQ(byPlace.AmbiguousPoints, 3u * 20u);
   const PartContent back(path, 0);
   EXPECT_EQ(ListCells(back.Mesh, back.Values) == ListCells(mesh, PartValues(mesh, 0)), true);
   // Global ids tell them apart.
-  const auto byId = WriteParts(path, slabs, MakeOptions(), 1, true);
+  const auto byId = WriteParts(path, slabs, MakePartOptions(), 1, true);
   EXPECT_EQ(byId.Points, 150u);
   EXPECT_EQ(byId.AmbiguousPoints, 0u);
 }
@@ -497,7 +497,7 @@ TEST(PartWriter, UnusedPointsAreThoseOfOtherParts)
     part.Cells.Coordinates = mesh.Cells.Coordinates;
     part.PointIds = mesh.PointIds;
   }
-  auto options = MakeOptions(KeepAll);
+  auto options = MakePartOptions(KeepAll);
   options.JoinAllPoints = true;
   WriteParts(GetPath("parts.gtn"), parts, options, 2);
   ExpectMesh(GetPath("parts.gtn"), mesh, 0);
@@ -509,7 +509,7 @@ TEST(PartWriter, PartsOfTetrahedraAndOfOtherCells)
   const auto mesh = MakePartMesh(MakeCubes(4, 0.2));
   auto parts = Divide(mesh, 4, DealSlabs(mesh, 4, 4));
   parts[1].IsTetrahedral = false; // with types
-  WriteParts(GetPath("parts.gtn"), parts, MakeOptions());
+  WriteParts(GetPath("parts.gtn"), parts, MakePartOptions());
   ExpectMesh(GetPath("parts.gtn"), mesh, 0);
   EXPECT_EQ(FileReader(GetPath("parts.gtn")).GetFormatVersion(), std::pair(1, 3));
 }

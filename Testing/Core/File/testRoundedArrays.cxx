@@ -107,7 +107,7 @@ std::vector<ArrayDescription> Describe()
     { "twin", Association::Point, ScalarType::Float32, 1, 0, 0, {} } };
 }
 
-constexpr int Steps = 3;
+constexpr int RoundedSteps = 3;
 
 std::shared_ptr<const FileReader> Write(
   const TestMesh& mesh, const std::vector<ArrayError>& errors, bool isWild, bool boundary = false)
@@ -119,7 +119,7 @@ std::shared_ptr<const FileReader> Write(
   options.Errors = errors;
   options.Boundary = boundary;
   FileWriter writer(path, mesh.GetInput(), Describe(), options);
-  for (int step = 0; step < Steps; ++step)
+  for (int step = 0; step < RoundedSteps; ++step)
   {
     writer.WriteStep(Arrays(mesh, step, isWild).Get(), {}, true, step);
   }

@@ -44,7 +44,7 @@ public:
   Stranger& operator=(const Stranger&) = delete;
 };
 
-void Write(const std::string& path, std::int64_t cubes = 3)
+void WriteCubes(const std::string& path, std::int64_t cubes = 3)
 {
   WriteSample(path, MakeCubes(cubes, 0.1), {}, 1);
 }
@@ -87,7 +87,7 @@ TEST(HostilePaths, WhatIsNoFileIsNotRead)
 TEST(HostilePaths, AFileThatMayNotBeReadIsNotRead)
 {
   const auto path = GetPath("secret.gtn");
-  Write(path);
+  WriteCubes(path);
   ASSERT_EQ(::chmod(path.c_str(), 0), 0);
   const Stranger stranger;
   EXPECT_GATUN_SYSTEM_ERROR(ErrorCode::CannotOpen, path, EACCES, [&] { FileReader reader(path); });
@@ -97,7 +97,7 @@ TEST(HostilePaths, AFileThatMayNotBeReadIsNotRead)
 TEST(HostilePaths, AFileThatShrinksWhileItIsReadIsTruncated)
 {
   const auto path = GetPath("shrinks.gtn");
-  Write(path);
+  WriteCubes(path);
   const auto file = std::make_shared<FileReader>(path);
   fs::resize_file(path, 30);
   EXPECT_GATUN_ERROR(ErrorCode::Truncated, path, "became shorter", [&] { VerifyFile(*file); });
@@ -106,7 +106,7 @@ TEST(HostilePaths, AFileThatShrinksWhileItIsReadIsTruncated)
 TEST(HostilePaths, WhatIsNoFileIsNotReplaced)
 {
   const auto expect = [](const std::string& path, const std::string& what)
-  { EXPECT_GATUN_ERROR(ErrorCode::CannotWrite, path, what, [&] { Write(path); }); };
+  { EXPECT_GATUN_ERROR(ErrorCode::CannotWrite, path, what, [&] { WriteCubes(path); }); };
   const auto folder = GetPath("folder");
   fs::create_directory(folder);
   const auto pipe = GetPath("pipe");
@@ -115,7 +115,7 @@ TEST(HostilePaths, WhatIsNoFileIsNotReplaced)
   expect(pipe, "is not a regular file");
   expect("/dev/null", "is not a regular file");
   const auto fail = [](const std::string& path, int error)
-  { EXPECT_GATUN_SYSTEM_ERROR(ErrorCode::CannotWrite, path, error, [&] { Write(path); }); };
+  { EXPECT_GATUN_SYSTEM_ERROR(ErrorCode::CannotWrite, path, error, [&] { WriteCubes(path); }); };
   fail(GetPath("missing/a.gtn"), ENOENT);
   fail(GetPath(std::string(300, 'x')), ENAMETOOLONG);
   EXPECT_EQ(ListFolder(pipe), (std::vector<std::string>{ "folder", "pipe" }));
@@ -127,12 +127,12 @@ TEST(HostilePaths, AFolderThatMayNotBeWrittenStaysAsItIs)
   const auto folder = GetPath("locked");
   fs::create_directory(folder);
   const auto path = folder + "/a.gtn";
-  Write(path);
+  WriteCubes(path);
   const auto old = Slurp(path);
   ASSERT_EQ(::chmod(folder.c_str(), 0555), 0);
   {
     const Stranger stranger;
-    EXPECT_GATUN_SYSTEM_ERROR(ErrorCode::CannotWrite, path, EACCES, [&] { Write(path, 2); });
+    EXPECT_GATUN_SYSTEM_ERROR(ErrorCode::CannotWrite, path, EACCES, [&] { WriteCubes(path, 2); });
   }
   ASSERT_EQ(::chmod(folder.c_str(), 0755), 0);
   EXPECT_EQ(Slurp(path), old);
@@ -142,12 +142,12 @@ TEST(HostilePaths, AFolderThatMayNotBeWrittenStaysAsItIs)
 TEST(HostilePaths, AReadOnlyFileIsReplacedOnRequestOnly)
 {
   const auto path = GetPath("read-only.gtn");
-  Write(path);
+  WriteCubes(path);
   const auto old = Slurp(path);
   const auto refuse = [&](const std::string& why, std::optional<int> error = {})
   {
     ExpectError(
-      ErrorCode::CannotWrite, path, why, [&] { Write(path, 2); }, __FILE__, error);
+      ErrorCode::CannotWrite, path, why, [&] { WriteCubes(path, 2); }, __FILE__, error);
     EXPECT_EQ(Slurp(path), old);
     EXPECT_EQ(ListFolder(path), (std::vector<std::string>{ "read-only.gtn" }));
   };
@@ -180,7 +180,7 @@ TEST(HostilePaths, ALinkStaysALink)
   // First where it leads to nothing yet.
   for (const std::int64_t cubes : { 2, 3 })
   {
-    Write(link, cubes);
+    WriteCubes(link, cubes);
     EXPECT_TRUE(fs::is_symlink(link));
     EXPECT_EQ(
       FileReader(target).GetNumberOfTets(), static_cast<std::uint64_t>(6 * cubes * cubes * cubes));
@@ -192,11 +192,11 @@ TEST(HostilePaths, ALinkStaysALink)
 TEST(HostilePaths, PermissionsOfTheOldFileStay)
 {
   const auto path = GetPath("mode.gtn");
-  Write(path);
+  WriteCubes(path);
   for (const ::mode_t mode : { 0600, 0640, 0622, 0666 })
   {
     ASSERT_EQ(::chmod(path.c_str(), mode), 0);
-    Write(path);
+    WriteCubes(path);
     struct stat status
     {
     };
@@ -205,7 +205,7 @@ TEST(HostilePaths, PermissionsOfTheOldFileStay)
   }
   const auto mask = ::umask(027);
   const auto fresh = GetPath("new.gtn");
-  Write(fresh);
+  WriteCubes(fresh);
   ::umask(mask);
   EXPECT_EQ(fs::status(fresh).permissions(), static_cast<fs::perms>(0640));
 }
@@ -213,9 +213,9 @@ TEST(HostilePaths, PermissionsOfTheOldFileStay)
 TEST(HostilePaths, AFileThatGrowsTooLargeLeavesTheOldOne)
 {
   const auto path = GetPath("old.gtn");
-  Write(path);
+  WriteCubes(path);
   const auto old = Slurp(path);
-  Write(GetPath("larger.gtn"), 8);
+  WriteCubes(GetPath("larger.gtn"), 8);
   const auto size = fs::file_size(GetPath("larger.gtn"));
   fs::remove(GetPath("larger.gtn"));
   for (const auto limit : { std::uintmax_t{ 0 }, std::uintmax_t{ 10 }, std::uintmax_t{ 20 },
@@ -223,12 +223,12 @@ TEST(HostilePaths, AFileThatGrowsTooLargeLeavesTheOldOne)
   {
     {
       const FileSizeLimit full(limit);
-      EXPECT_GATUN_SYSTEM_ERROR(ErrorCode::CannotWrite, path, EFBIG, [&] { Write(path, 8); });
+      EXPECT_GATUN_SYSTEM_ERROR(ErrorCode::CannotWrite, path, EFBIG, [&] { WriteCubes(path, 8); });
     }
     EXPECT_EQ(Slurp(path), old);
     EXPECT_EQ(ListFolder(path), (std::vector<std::string>{ "old.gtn" }));
   }
-  Write(path, 8);
+  WriteCubes(path, 8);
   EXPECT_EQ(fs::file_size(path), size);
 }
 
@@ -241,9 +241,9 @@ TEST(HostilePaths, AFullDiskLeavesTheOldFile)
     GTEST_SKIP() << "only root can mount a small disk";
   }
   const auto path = disk + "/old.gtn";
-  Write(path);
+  WriteCubes(path);
   const auto old = Slurp(path);
-  EXPECT_GATUN_SYSTEM_ERROR(ErrorCode::CannotWrite, path, ENOSPC, [&] { Write(path, 10); });
+  EXPECT_GATUN_SYSTEM_ERROR(ErrorCode::CannotWrite, path, ENOSPC, [&] { WriteCubes(path, 10); });
   EXPECT_EQ(Slurp(path), old);
   EXPECT_EQ(ListFolder(path), (std::vector<std::string>{ "old.gtn" }));
   EXPECT_EQ(::umount(disk.c_str()), 0);

@@ -29,7 +29,7 @@ using namespace gatun;
 using namespace gatun::test;
 namespace fs = std::filesystem;
 
-void Write(const std::string& path, std::int64_t cubes)
+void WriteCubesTo(const std::string& path, std::int64_t cubes)
 {
   WriteSample(path, MakeCubes(cubes, 0.1), {}, 1);
 }
@@ -94,7 +94,7 @@ int RunInChild(const std::function<bool()>& run, std::chrono::microseconds killA
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/** The tetrahedra of the files that Write makes in turns. */
+/** The tetrahedra of the files that WriteCubesTo makes in turns. */
 constexpr std::int64_t Sizes[] = { 6, 9 };
 
 bool IsWhole(const std::string& path)
@@ -123,7 +123,7 @@ Leftovers KillWriters(const std::string& path, bool replaces, const std::functio
   {
     if (replaces)
     {
-      Write(path, Sizes[0]);
+      WriteCubesTo(path, Sizes[0]);
     }
     const auto forever = [&]
     {
@@ -133,7 +133,7 @@ Leftovers KillWriters(const std::string& path, bool replaces, const std::functio
       }
       for (std::size_t turn = 1;; ++turn)
       {
-        Write(path, Sizes[turn % 2]);
+        WriteCubesTo(path, Sizes[turn % 2]);
         if (!replaces)
         {
           fs::remove(path);
@@ -213,7 +213,7 @@ TEST(KilledWriter, FilesThatNeedNamesAreLikeTheOthers)
   const auto write = [&]
   {
     ::umask(027);
-    Write(path, 2);
+    WriteCubesTo(path, 2);
     return true;
   };
   const auto writeNamed = [&]

@@ -20,7 +20,7 @@ namespace gatun::test
 {
 using Vector = HartleyView::Vector;
 
-inline double Dot(const Vector& a, const Vector& b)
+inline double InnerProduct(const Vector& a, const Vector& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -152,7 +152,8 @@ public:
     RaySamples samples;
     if (part.Begin < part.End)
     {
-      samples.Phase = Dot(AddTimes(this->GetCenter(), -1, point), step) / Dot(step, step);
+      samples.Phase =
+        InnerProduct(AddTimes(this->GetCenter(), -1, point), step) / InnerProduct(step, step);
       samples.First = static_cast<std::int64_t>(std::ceil(part.Begin - samples.Phase));
       samples.End = static_cast<std::int64_t>(std::floor(part.End - samples.Phase)) + 1;
     }

@@ -157,7 +157,7 @@ TEST(HartleyReference, SamplesHaveTheirPhase)
   const RaySamples samples = volume.GetSamples(point, step);
   ASSERT_LT(samples.First, samples.End);
   const Vector place = AddTimes(point, samples.Phase, step);
-  EXPECT_NEAR(Dot(AddTimes(place, -1, volume.GetCenter()), step), 0, 1e-12);
+  EXPECT_NEAR(InnerProduct(AddTimes(place, -1, volume.GetCenter()), step), 0, 1e-12);
   EXPECT_GT(volume.GetWeight(AddTimes(place, static_cast<double>(samples.First), step)), 0);
   EXPECT_EQ(volume.GetWeight(AddTimes(place, static_cast<double>(samples.First - 1), step)), 0);
   EXPECT_EQ(volume.GetWeight(AddTimes(place, static_cast<double>(samples.End), step)), 0);
@@ -201,7 +201,7 @@ TEST(HartleyReference, TurnsViews)
   const Vector middle = GetPixel(other, 32, 32);
   EXPECT_NEAR(middle[0], 4.5, 1e-12);
   EXPECT_NEAR(middle[2], 14.5, 1e-12);
-  EXPECT_NEAR(Dot(other.Step, other.Step), 1, 1e-12);
-  EXPECT_NEAR(Dot(other.Step, other.RowStep), 0, 1e-12);
+  EXPECT_NEAR(InnerProduct(other.Step, other.Step), 1, 1e-12);
+  EXPECT_NEAR(InnerProduct(other.Step, other.RowStep), 0, 1e-12);
 }
 }

@@ -85,7 +85,7 @@ TEST(SurfaceMerges, TurnNoTriangleOver)
   for (std::size_t n = 0; n <= tree.GetMerges().size(); n += 20)
   {
     double area = 0;
-    for (const Triangle& t : Simplify(hill.Triangles, tree, n))
+    for (const SheetTriangle& t : Simplify(hill.Triangles, tree, n))
     {
       const double up = GetNormal(hill.Points, t)[2];
       EXPECT_GT(up, 0) << n;
@@ -149,7 +149,7 @@ TEST(SurfaceMerges, MergePointsOfASeamOnTheirOwnSide)
   const MergeTree tree = BuildMergeTree(torus.GetInput());
   const auto merges = CountWhole(tree, torus.Points.size() * 3 / 4, torus.Points);
   std::size_t atSeam = 0;
-  for (const Triangle& t : Simplify(torus.Triangles, tree, merges))
+  for (const SheetTriangle& t : Simplify(torus.Triangles, tree, merges))
   {
     const auto [low, high] = std::minmax({ t[0] % 25, t[1] % 25, t[2] % 25 });
     EXPECT_LT(high - low, 20u);
@@ -188,7 +188,7 @@ TEST(SurfaceMerges, ErrorsAreThoseOfTheShapeAndTheField)
     const auto merges = tree.CountMergesForError(error);
     double squares = 0;
     double area = 0;
-    for (const Triangle& t : Simplify(sphere.Triangles, tree, merges))
+    for (const SheetTriangle& t : Simplify(sphere.Triangles, tree, merges))
     {
       double square = 0;
       for (std::size_t i = 0; i < 3; ++i)
@@ -214,7 +214,7 @@ TEST(SurfaceMerges, LeaveWholeParts)
   // triangle. Neither has a smaller form.
   const std::vector<Vec> points{ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 1, 0.01 }, { 9, 0, 0 },
     { 9, 1, 0 }, { 8, 0, 0 } };
-  const std::vector<Triangle> triangles{ { 3, 0, 1 }, { 3, 1, 2 }, { 3, 2, 0 }, { 0, 2, 1 },
+  const std::vector<SheetTriangle> triangles{ { 3, 0, 1 }, { 3, 1, 2 }, { 3, 2, 0 }, { 0, 2, 1 },
     { 4, 5, 6 } };
   EXPECT_TRUE(BuildMergeTree(SurfaceMergeInput{ points, triangles, {} }).GetMerges().empty());
 }

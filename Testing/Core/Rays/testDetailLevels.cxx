@@ -28,7 +28,7 @@ using Vec = std::array<double, 3>;
 using Corners = std::array<Vec, 4>;
 
 constexpr std::int64_t Side = 16;
-constexpr std::uint64_t Plenty = std::uint64_t{ 1 } << 30;
+constexpr std::uint64_t PlentyForDetail = std::uint64_t{ 1 } << 30;
 
 /** Where levels come from. */
 enum class Origin
@@ -148,7 +148,7 @@ protected:
 
   DetailLevel Make(std::uint64_t points, std::shared_ptr<const DetailView> view)
   {
-    return this->Levels->MakeLevel({ points, std::move(view) }, Plenty, {});
+    return this->Levels->MakeLevel({ points, std::move(view) }, PlentyForDetail, {});
   }
 
   static std::vector<std::shared_ptr<const RayBlock>> GetBlocks(RaySource& source)
@@ -388,7 +388,7 @@ TEST_P(DetailLevelsOfBases, ReadWhatTheViewNeeds)
 {
   const auto whole = std::make_shared<const FileReader>(this->File->GetPath());
   FileLevelsOfDetail all(whole, {});
-  GetTets(*all.MakeSource(this->GetPoints(), Plenty));
+  GetTets(*all.MakeSource(this->GetPoints(), PlentyForDetail));
   const auto before = this->File->GetBytesRead();
   GetTets(*this->Make(this->GetPoints() / 30, MakeView(LookFrom({ 2, 2, S + 1 }))).Source);
   EXPECT_LT(this->File->GetBytesRead() - before, whole->GetBytesRead() / 2);
@@ -405,7 +405,7 @@ TEST_P(DetailLevels, StopWhenTheyMust)
   const DetailRequest request{ this->GetPoints() / 10, MakeView(LookFrom({ 0, 0, 2 * S })) };
   try
   {
-    this->Levels->MakeLevel(request, Plenty, stop);
+    this->Levels->MakeLevel(request, PlentyForDetail, stop);
     FAIL();
   }
   catch (const Error& error)
@@ -413,7 +413,7 @@ TEST_P(DetailLevels, StopWhenTheyMust)
     EXPECT_EQ(error.Code, ErrorCode::Aborted);
     EXPECT_EQ(calls, 1);
   }
-  ExpectToFill(GetTets(*this->Levels->MakeLevel(request, Plenty, {}).Source));
+  ExpectToFill(GetTets(*this->Levels->MakeLevel(request, PlentyForDetail, {}).Source));
 }
 
 std::string GetName(const testing::TestParamInfo<Origin>& origin)

@@ -19,22 +19,22 @@ namespace gatun::test
 {
 namespace
 {
-constexpr std::uint64_t Plenty = std::uint64_t{ 1 } << 30;
+constexpr std::uint64_t PlentyForLevels = std::uint64_t{ 1 } << 30;
 
 /** A mesh with values of its points or of its tetrahedra. */
-struct Sample
+struct LevelSample
 {
   TestMesh Mesh;
   std::vector<double> Values;
   std::vector<unsigned char> Hidden;
   Association Where;
 
-  explicit Sample(Association where, std::int64_t n = 8, bool hides = false)
-    : Sample(where, MakeCubes(n, 0.2), hides)
+  explicit LevelSample(Association where, std::int64_t n = 8, bool hides = false)
+    : LevelSample(where, MakeCubes(n, 0.2), hides)
   {
   }
 
-  Sample(Association where, TestMesh mesh, bool hides)
+  LevelSample(Association where, TestMesh mesh, bool hides)
     : Mesh(std::move(mesh))
     , Where(where)
   {
@@ -128,7 +128,7 @@ std::vector<Drawn> Collect(RaySource& source)
   return result;
 }
 
-std::vector<Drawn> Merge(const Sample& sample, const MergeTree& tree, std::uint64_t points)
+std::vector<Drawn> Merge(const LevelSample& sample, const MergeTree& tree, std::uint64_t points)
 {
   const auto ancestors = tree.FindAncestors(tree.CountMergesForPoints(points));
   const bool ofCells = sample.Where == Association::Cell;
@@ -163,7 +163,7 @@ TEST(LevelsOfDetail, SourcesHoldWhatMergingLeaves)
   {
     for (const bool hides : { false, true })
     {
-      const Sample sample(where, 8, hides);
+      const LevelSample sample(where, 8, hides);
       const MergeTree tree = sample.MakeTree();
       auto detail = sample.MakeLevels(tree);
       ASSERT_EQ(detail.GetNumberOfPoints(), 729u);
@@ -172,7 +172,7 @@ TEST(LevelsOfDetail, SourcesHoldWhatMergingLeaves)
       for (const std::uint64_t points :
         { 200u, 729u, 728u, 500u, 364u, 365u, 363u, 182u, 100u, 4u })
       {
-        const auto source = detail.MakeSource(points, Plenty);
+        const auto source = detail.MakeSource(points, PlentyForLevels);
         const auto drawn = Collect(*source);
         EXPECT_EQ(drawn, Merge(sample, tree, points)) << points;
         if (points >= detail.GetFewestPoints())
@@ -191,20 +191,20 @@ TEST(LevelsOfDetail, TetrahedraNeedNotHaveAnyPointInCommon)
   {
     TestMesh mesh = MakeSoup(1000, tets);
     std::iota(mesh.Ids.begin(), mesh.Ids.end(), std::int64_t{ 0 });
-    const Sample sample(Association::Point, std::move(mesh), false);
+    const LevelSample sample(Association::Point, std::move(mesh), false);
     const MergeTree tree(1000, {});
     auto detail = sample.MakeLevels(tree);
-    EXPECT_EQ(Collect(*detail.MakeSource(1000, Plenty)), Merge(sample, tree, 1000));
+    EXPECT_EQ(Collect(*detail.MakeSource(1000, PlentyForLevels)), Merge(sample, tree, 1000));
   }
 }
 
 //------------------------------------------------------------------------------
 TEST(LevelsOfDetail, TheWholeMeshLooksTheSameToTheLastBit)
 {
-  const Sample sample(Association::Point, 20);
+  const LevelSample sample(Association::Point, 20);
   auto detail = sample.MakeLevels(MergeTree(9261, {}));
-  MemoryRaySource plain(sample.Mesh.GetInput(), sample.GetValues(), nullptr, Plenty);
-  const auto whole = detail.MakeSource(9261, Plenty);
+  MemoryRaySource plain(sample.Mesh.GetInput(), sample.GetValues(), nullptr, PlentyForLevels);
+  const auto whole = detail.MakeSource(9261, PlentyForLevels);
   ASSERT_GT(plain.GetNumberOfBlocks(), 1u);
   for (const Viewer& viewer : MakeViewers(20, false))
   {
@@ -216,7 +216,7 @@ TEST(LevelsOfDetail, TheWholeMeshLooksTheSameToTheLastBit)
 //------------------------------------------------------------------------------
 TEST(LevelsOfDetail, NumbersOfTetsAreGuessedBetweenThoseKnown)
 {
-  const Sample sample(Association::Point);
+  const LevelSample sample(Association::Point);
   auto detail = sample.MakeLevels(sample.MakeTree());
   std::uint64_t before = 0;
   for (std::uint64_t points = detail.GetFewestPoints(); points <= 729; points += 50)
@@ -225,13 +225,13 @@ TEST(LevelsOfDetail, NumbersOfTetsAreGuessedBetweenThoseKnown)
     before = detail.EstimateTets(points);
   }
   EXPECT_EQ(detail.EstimateTets(729), sample.Mesh.GetTets());
-  EXPECT_EQ(detail.EstimateTets(Plenty), sample.Mesh.GetTets());
+  EXPECT_EQ(detail.EstimateTets(PlentyForLevels), sample.Mesh.GetTets());
 }
 
 //------------------------------------------------------------------------------
 TEST(LevelsOfDetail, ATreeOfAnotherMeshIsRefused)
 {
-  const Sample sample(Association::Point);
+  const LevelSample sample(Association::Point);
   EXPECT_THROW(sample.MakeLevels(MergeTree(728, {})), Error);
   EXPECT_THROW(sample.MakeLevels(MergeTree()), Error);
 }
@@ -239,12 +239,12 @@ TEST(LevelsOfDetail, ATreeOfAnotherMeshIsRefused)
 //------------------------------------------------------------------------------
 TEST(LevelsOfDetail, SourcesOutliveWhatMadeThem)
 {
-  const Sample sample(Association::Point);
+  const LevelSample sample(Association::Point);
   const MergeTree tree = sample.MakeTree();
   std::shared_ptr<RaySource> source;
   {
-    Sample original(sample);
-    source = original.MakeLevels(tree).MakeSource(300, Plenty);
+    LevelSample original(sample);
+    source = original.MakeLevels(tree).MakeSource(300, PlentyForLevels);
     std::fill(original.Mesh.Ids.begin(), original.Mesh.Ids.end(), -1);
   }
   EXPECT_EQ(Collect(*source), Merge(sample, tree, 300));

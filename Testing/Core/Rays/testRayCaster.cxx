@@ -159,14 +159,14 @@ TEST_P(AgainstReference, ClippingPlanes)
   Check(setting, 6, true);
 }
 
-std::string GetName(const testing::TestParamInfo<AgainstReference::ParamType>& given)
+std::string GetReferenceName(const testing::TestParamInfo<AgainstReference::ParamType>& given)
 {
   return std::string(std::get<0>(given.param)) + (std::get<1>(given.param) ? "Parallel" : "");
 }
 
 INSTANTIATE_TEST_SUITE_P(RayCaster, AgainstReference,
   testing::Combine(testing::Values("Cubes", "Lattice", "Slivers", "Loose"), testing::Bool()),
-  GetName);
+  GetReferenceName);
 
 TEST(RayCaster, ImageDoesNotDependOnTheOrderOfAnything)
 {
@@ -276,7 +276,8 @@ TEST_P(ShadedAgainstReference, CompositeAndSampled)
 // Not the slivers: where a face is within rounding of a sample, either side may have it, and light
 // falls differently on the two.
 INSTANTIATE_TEST_SUITE_P(RayCaster, ShadedAgainstReference,
-  testing::Combine(testing::Values("Cubes", "Lattice", "Loose"), testing::Bool()), GetName);
+  testing::Combine(testing::Values("Cubes", "Lattice", "Loose"), testing::Bool()),
+  GetReferenceName);
 
 TEST(RayCaster, ShadingIsThatOfTheWorldAndLeavesAloneWhatHasNoGradient)
 {

@@ -19,7 +19,7 @@ namespace gatun::test
 {
 namespace
 {
-constexpr std::uint64_t Plenty = std::uint64_t{ 1 } << 30;
+constexpr std::uint64_t PlentyForRefresh = std::uint64_t{ 1 } << 30;
 
 /** A mesh that is simplified, as one looks at it. */
 class Subject
@@ -42,7 +42,7 @@ public:
   std::uint64_t GetPoints() const { return this->Detail->GetNumberOfPoints(); }
   std::shared_ptr<RaySource> MakeSource(std::uint64_t points) const
   {
-    return this->Detail->MakeSource(points, Plenty);
+    return this->Detail->MakeSource(points, PlentyForRefresh);
   }
   std::unique_ptr<RayCaster> MakeCaster() const
   {

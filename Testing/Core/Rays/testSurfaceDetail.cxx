@@ -57,13 +57,13 @@ SurfaceDetailView MakeView(const Vec& from, const Vec& to, bool isParallel = fal
 }
 
 /** A surface with all that its cuts need. */
-struct Sample
+struct SheetSample
 {
   Sheet Surface;
   std::shared_ptr<const MergeTree> Tree;
   std::shared_ptr<const MergeDependencies> Dependencies;
 
-  explicit Sample(Sheet sheet)
+  explicit SheetSample(Sheet sheet)
     : Surface(std::move(sheet))
     , Tree(std::make_shared<const MergeTree>(BuildMergeTree(this->Surface.GetInput())))
     , Dependencies(std::make_shared<const MergeDependencies>(*this->Tree, this->Surface.Triangles))
@@ -75,10 +75,10 @@ struct Sample
     return { this->Tree, this->Dependencies, this->Surface.Points, this->Surface.Triangles };
   }
 
-  std::vector<Triangle> Cut(const MergeCut& cut) const
+  std::vector<SheetTriangle> Cut(const MergeCut& cut) const
   {
-    std::vector<Triangle> left = this->Surface.Triangles;
-    std::erase_if(left, [&](Triangle& t) { return !gatun::Simplify(t, cut.GetAncestors()); });
+    std::vector<SheetTriangle> left = this->Surface.Triangles;
+    std::erase_if(left, [&](SheetTriangle& t) { return !gatun::Simplify(t, cut.GetAncestors()); });
     return left;
   }
 
@@ -95,7 +95,7 @@ struct Sample
   }
 };
 
-Triangle Sort(Triangle t)
+SheetTriangle Sort(SheetTriangle t)
 {
   std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   return t;
@@ -111,13 +111,13 @@ INSTANTIATE_TEST_SUITE_P(All, CutSurfaces,
 
 TEST_P(CutSurfaces, KeepTheirTopologyAndHaveNoNewTriangles)
 {
-  const Sample sample(MakeSheet(GetParam()));
+  const SheetSample sample(MakeSheet(GetParam()));
   const auto& points = sample.Surface.Points;
   const Topology before(points, sample.Surface.Triangles);
-  std::set<Triangle> versions;
+  std::set<SheetTriangle> versions;
   for (std::size_t n = 0; n <= sample.Tree->GetMerges().size(); ++n)
   {
-    for (const Triangle& t : Simplify(sample.Surface.Triangles, *sample.Tree, n))
+    for (const SheetTriangle& t : Simplify(sample.Surface.Triangles, *sample.Tree, n))
     {
       versions.insert(Sort(t));
     }
@@ -140,7 +140,7 @@ TEST_P(CutSurfaces, KeepTheirTopologyAndHaveNoNewTriangles)
     EXPECT_TRUE(after.IsManifold) << i;
     EXPECT_EQ(after.EulerCharacteristic, before.EulerCharacteristic) << i;
     EXPECT_EQ(after.Border.empty(), before.Border.empty()) << i;
-    for (const Triangle& t : left)
+    for (const SheetTriangle& t : left)
     {
       EXPECT_TRUE(versions.contains(Sort(t))) << i;
     }
@@ -151,7 +151,7 @@ TEST_P(CutSurfaces, KeepTheirTopologyAndHaveNoNewTriangles)
 
 TEST(SurfaceDetail, IsFineWhereTheEyeIs)
 {
-  const Sample sample(MakeSheet(120, 20, false, false,
+  const SheetSample sample(MakeSheet(120, 20, false, false,
     [](double u, double v) {
       return Vec{ 4 * u - 2, 0.4 * v - 0.2, 0.1 * std::sin(20 * u) * std::cos(17 * v) };
     }));
@@ -188,7 +188,7 @@ TEST(SurfaceDetail, IsFineWhereTheEyeIs)
 
 TEST(SurfaceDetail, HasTheErrorThatIsAllowed)
 {
-  const Sample sample(MakeSphere(16));
+  const SheetSample sample(MakeSphere(16));
   const SurfaceDetail detail = sample.MakeDetail();
   auto view = MakeView({ 0, 0, 3 }, { 0, 0, 0 });
   const auto weights = detail.Weigh(view);
@@ -223,16 +223,16 @@ TEST(SurfaceDetail, KnowsInsideFromOutside)
 {
   for (const char* const name : { "Sphere", "Torus", "Tube", "Moebius", "Hill", "SeamedCube" })
   {
-    const Sample sample(MakeSheet(name));
+    const SheetSample sample(MakeSheet(name));
     const SurfaceDetail detail = sample.MakeDetail();
     const bool isSolid = std::string(name) == "Sphere" || std::string(name) == "Torus";
     // The sheets of a cube and a torus are wound either way.
     Sheet turned = sample.Surface;
-    for (Triangle& t : turned.Triangles)
+    for (SheetTriangle& t : turned.Triangles)
     {
       std::swap(t[1], t[2]);
     }
-    const SurfaceDetail other = Sample(turned).MakeDetail();
+    const SurfaceDetail other = SheetSample(turned).MakeDetail();
     EXPECT_EQ(detail.IsSolid() != other.IsSolid(), isSolid) << name;
     EXPECT_FALSE(detail.IsSolid() && other.IsSolid()) << name;
     const SurfaceDetail& solid = detail.IsSolid() ? detail : other;
@@ -248,12 +248,12 @@ TEST(SurfaceDetail, IsCoarseWhereTheSurfaceIsTurnedAway)
 {
   Sheet sphere = MakeSphere(24);
   Sheet turned = sphere;
-  for (Triangle& t : turned.Triangles)
+  for (SheetTriangle& t : turned.Triangles)
   {
     std::swap(t[1], t[2]);
   }
-  const bool isOutward = Sample(sphere).MakeDetail().IsSolid();
-  const Sample sample(isOutward ? sphere : turned);
+  const bool isOutward = SheetSample(sphere).MakeDetail().IsSolid();
+  const SheetSample sample(isOutward ? sphere : turned);
   const SurfaceDetail detail = sample.MakeDetail();
   ASSERT_TRUE(detail.IsSolid());
   const Vec from{ 0, 0, 6 };
@@ -303,7 +303,7 @@ TEST(SurfaceDetail, IsCoarseWhereTheSurfaceIsTurnedAway)
 TEST(SurfaceDetail, TakesAnyPlaces)
 {
   Sheet sheet = MakeSheet("Hill");
-  const Sample sample(sheet);
+  const SheetSample sample(sheet);
   const auto points = sheet.Points;
   // The eye is on a point.
   auto view = MakeView(points[20], points[100]);
@@ -328,7 +328,7 @@ TEST(SurfaceDetail, TakesAnyPlaces)
   }
   const auto fewer = std::span(points).first(points.size() - 1);
   EXPECT_THROW(SurfaceDetail(sample.Tree, sample.Dependencies, fewer, sheet.Triangles), Error);
-  const std::vector<Triangle> wrong{ { 0, 1, static_cast<std::uint32_t>(points.size()) } };
+  const std::vector<SheetTriangle> wrong{ { 0, 1, static_cast<std::uint32_t>(points.size()) } };
   EXPECT_THROW(SurfaceDetail(sample.Tree, sample.Dependencies, points, wrong), Error);
   EXPECT_THROW(
     SurfaceDetail(sample.Tree, std::make_shared<MergeDependencies>(), points, sheet.Triangles),

@@ -23,16 +23,16 @@ inline constexpr std::uint32_t VectorArray = 1;
 inline constexpr std::uint32_t MaterialArray = 2;
 
 /** A triangle with all it has, beginning with its smallest corner. */
-struct Triangle
+struct FoundTriangle
 {
   std::array<std::vector<double>, 3> Corners; // place, arrays
   double Material = 0;
 
-  auto operator<=>(const Triangle&) const = default;
+  auto operator<=>(const FoundTriangle&) const = default;
 };
 
 /** The triangles of a surface, sorted; of a request with all arrays, or some of them. */
-inline std::vector<Triangle> GetTriangles(
+inline std::vector<FoundTriangle> GetTriangles(
   const Surface& surface, ScalarType type, const std::vector<std::uint32_t>& arrays = { 0, 1, 2 })
 {
   const std::size_t count = surface.GetNumberOfPoints();
@@ -63,11 +63,11 @@ inline std::vector<Triangle> GetTriangles(
     surface.FillCellArray(0, 4, materials.data());
   }
   const auto corners = surface.GetTriangles();
-  std::vector<Triangle> triangles;
+  std::vector<FoundTriangle> triangles;
   for (std::size_t i = 0; i < materials.size(); ++i)
   {
     const auto& t = corners[i];
-    Triangle triangle{ { points[t[0]], points[t[1]], points[t[2]] },
+    FoundTriangle triangle{ { points[t[0]], points[t[1]], points[t[2]] },
       static_cast<double>(materials[i]) };
     std::rotate(triangle.Corners.begin(),
       std::min_element(triangle.Corners.begin(), triangle.Corners.end()), triangle.Corners.end());

@@ -215,7 +215,7 @@ TEST(FileSurface, PiecesMakeTheWhole)
     for (const unsigned pieces : { 1u, 2u, 3u, 7u, 1000u })
     {
       request.Pieces = pieces;
-      std::vector<Triangle> found;
+      std::vector<FoundTriangle> found;
       std::size_t used = 0;
       std::size_t around = 0;
       for (request.Piece = 0; request.Piece < pieces; ++request.Piece)
@@ -306,7 +306,7 @@ TEST(FileSurface, AfterMergesIsThatOfTheSimplifiedMesh)
         EXPECT_FALSE(expected.empty());
         EXPECT_EQ(GetTriangles(whole, ScalarType::Float64), expected);
         EXPECT_EQ(GetNormals(whole), GetNormals(slow));
-        std::vector<Triangle> found;
+        std::vector<FoundTriangle> found;
         request.Pieces = 4;
         for (request.Piece = 0; request.Piece < 4; ++request.Piece)
         {
@@ -368,7 +368,7 @@ TEST(FileSurface, LeavesOutWhatIsNotFinite)
     plain.Arrays = { 2 }; // what is carried may be NaN, which equals nothing
     const auto slow = MakeSlowly(file, request);
     EXPECT_GT(slow.GetNumberOfTriangles(), 50u);
-    const auto places = [](const std::vector<Triangle>& triangles)
+    const auto places = [](const std::vector<FoundTriangle>& triangles)
     {
       std::vector<std::vector<double>> all;
       for (const auto& t : triangles)

@@ -289,7 +289,7 @@ Field MakeTet(const std::array<double, 4>& values)
   return field;
 }
 
-double Wave(const Vector& x)
+double MarchWave(const Vector& x)
 {
   return std::sin(1.3 * x[0]) * std::cos(0.9 * x[1]) + 0.4 * x[2];
 }
@@ -385,7 +385,7 @@ TEST(March, CubesAtManyValues)
   Field field(MakeCubes(6, 0.2));
   for (const auto& point : field.Points)
   {
-    field.Values.push_back(Wave(point));
+    field.Values.push_back(MarchWave(point));
   }
   std::vector<double> values(40);
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -415,7 +415,7 @@ TEST(March, WholeNumbersMeetCornersAllTheTime)
   Field field(MakeCubes(6, 0));
   for (const auto& point : field.Points)
   {
-    field.Values.push_back(std::round(3 * Wave(point)));
+    field.Values.push_back(std::round(3 * MarchWave(point)));
   }
   ExpectRight<std::int64_t, double>(field, { -3, -2, -1, 0, 1, 2, 3, 4 });
   ExpectRight<std::int32_t, float>(field, { -3, -2.5, 0, 0.5, 1, 2, 5 });
@@ -427,7 +427,7 @@ TEST(March, SoupWithRepeatedCorners)
   Field field(MakeSoup(60, 3000));
   for (const auto& point : field.Points)
   {
-    field.Values.push_back(Wave(point));
+    field.Values.push_back(MarchWave(point));
   }
   ExpectRight<std::int64_t, double>(field, { -0.3, 0, 0.05, 0.3 });
   ExpectRight<std::int32_t, float>(field, { -0.3, 0, 0.05, 0.3 });
@@ -439,7 +439,7 @@ TEST(March, PartsOfAMeshHaveTheirShare)
   Field field(MakeCubes(4, 0.2));
   for (const auto& point : field.Points)
   {
-    field.Values.push_back(Wave(point));
+    field.Values.push_back(MarchWave(point));
   }
   // With one value, parts of fewer tetrahedra than the mesh has points are searched in another way.
   for (const std::vector<double>& values : { std::vector{ -0.2, 0.4, 0.41 }, std::vector{ 0.4 } })
@@ -474,7 +474,7 @@ TEST(March, ValuesThatAreNotFiniteHaveNoSurface)
     Field field(MakeCubes(4, 0.1));
     for (std::size_t i = 0; i < field.Points.size(); ++i)
     {
-      field.Values.push_back(i % 11 == 5 ? bad : Wave(field.Points[i]));
+      field.Values.push_back(i % 11 == 5 ? bad : MarchWave(field.Points[i]));
     }
     EXPECT_FALSE((ExpectRight<std::int64_t, double>(field, { 0, 0.5 }).Cells.empty()));
     ExpectRight<std::int64_t, float>(field, { 0, 0.5 });

@@ -15,14 +15,14 @@ namespace gatun::test
 {
 namespace
 {
-using Triangle = std::array<std::uint32_t, 3>;
+using StripTriangle = std::array<std::uint32_t, 3>;
 
 /** Sorted, each beginning with its smallest corner, but turned no other way. */
-std::vector<Triangle> Sort(std::vector<Triangle> triangles)
+std::vector<StripTriangle> Sort(std::vector<StripTriangle> triangles)
 {
   for (auto& t : triangles)
   {
-    const Triangle turns[] = { t, { t[1], t[2], t[0] }, { t[2], t[0], t[1] } };
+    const StripTriangle turns[] = { t, { t[1], t[2], t[0] }, { t[2], t[0], t[1] } };
     t = *std::min_element(std::begin(turns), std::end(turns));
   }
   std::sort(triangles.begin(), triangles.end());
@@ -30,17 +30,17 @@ std::vector<Triangle> Sort(std::vector<Triangle> triangles)
 }
 
 /** Makes strips and checks that they are the same triangles; returns how many strips there are. */
-std::size_t ExpectSame(const std::vector<Triangle>& triangles)
+std::size_t ExpectSame(const std::vector<StripTriangle>& triangles)
 {
   const auto strips = MakeStrips(triangles);
-  std::vector<Triangle> found;
+  std::vector<StripTriangle> found;
   for (const auto& strip : strips)
   {
     EXPECT_GE(strip.size(), 3u);
     for (std::size_t i = 0; i + 2 < strip.size(); ++i)
     {
-      found.push_back(i % 2 == 0 ? Triangle{ strip[i], strip[i + 1], strip[i + 2] }
-                                 : Triangle{ strip[i + 1], strip[i], strip[i + 2] });
+      found.push_back(i % 2 == 0 ? StripTriangle{ strip[i], strip[i + 1], strip[i + 2] }
+                                 : StripTriangle{ strip[i + 1], strip[i], strip[i + 2] });
     }
   }
   EXPECT_EQ(Sort(found), Sort(triangles));
@@ -63,12 +63,12 @@ TEST(Strips, FewTriangles)
 TEST(Strips, TwoNeighborsAlwaysJoin)
 {
   // Every way to write both triangles, and every edge of the first.
-  const Triangle first = { 4, 9, 2 };
+  const StripTriangle first = { 4, 9, 2 };
   for (unsigned turn = 0; turn < 3; ++turn)
   {
     for (unsigned edge = 0; edge < 3; ++edge)
     {
-      const Triangle second = { first[(edge + 1) % 3], first[edge], 6 };
+      const StripTriangle second = { first[(edge + 1) % 3], first[edge], 6 };
       for (unsigned other = 0; other < 3; ++other)
       {
         EXPECT_EQ(ExpectSame({ { first[turn], first[(turn + 1) % 3], first[(turn + 2) % 3] },
@@ -82,10 +82,11 @@ TEST(Strips, TwoNeighborsAlwaysJoin)
 //------------------------------------------------------------------------------
 TEST(Strips, RibbonIsOneStrip)
 {
-  std::vector<Triangle> ribbon;
+  std::vector<StripTriangle> ribbon;
   for (std::uint32_t i = 0; i < 1000; ++i)
   {
-    ribbon.push_back(i % 2 == 0 ? Triangle{ i, i + 1, i + 2 } : Triangle{ i + 1, i, i + 2 });
+    ribbon.push_back(
+      i % 2 == 0 ? StripTriangle{ i, i + 1, i + 2 } : StripTriangle{ i + 1, i, i + 2 });
   }
   EXPECT_EQ(ExpectSame(ribbon), 1u);
 }
@@ -99,10 +100,10 @@ TEST(Strips, RandomTrianglesHoweverTheyMeet)
     for (int run = 0; run < 100; ++run)
     {
       std::uniform_int_distribution<std::uint32_t> pick(0, points - 1);
-      std::vector<Triangle> triangles;
+      std::vector<StripTriangle> triangles;
       while (triangles.size() < 200)
       {
-        const Triangle t = { pick(random), pick(random), pick(random) };
+        const StripTriangle t = { pick(random), pick(random), pick(random) };
         // Now and then corners fall together; the same triangle comes again and again.
         if (run % 4 == 0 || (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]))
         {

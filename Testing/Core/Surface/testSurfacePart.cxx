@@ -151,18 +151,18 @@ TEST(SurfacePart, ValuesOfAComponentOrOfTheLength)
   MarchInput mesh;
   std::vector<double> converted;
   const TupleView view{ tuples.data(), ScalarType::Int16, 2 };
-  using Values = std::vector<double>;
+  using Components = std::vector<double>;
   SetMarchValues(mesh, view, 3, 0, converted);
-  EXPECT_EQ(converted, (Values{ 3, 0, -5 }));
+  EXPECT_EQ(converted, (Components{ 3, 0, -5 }));
   SetMarchValues(mesh, view, 3, 1, converted);
-  EXPECT_EQ(converted, (Values{ -4, 0, 12 }));
+  EXPECT_EQ(converted, (Components{ -4, 0, 12 }));
   SetMarchValues(mesh, view, 3, -1, converted);
-  EXPECT_EQ(converted, (Values{ 5, 0, 13 }));
+  EXPECT_EQ(converted, (Components{ 5, 0, 13 }));
   EXPECT_EQ(mesh.Values, converted.data());
   EXPECT_TRUE(mesh.WideValues);
   // Of one component, the value itself, not its length; floating point values where they are.
   SetMarchValues(mesh, { tuples.data(), ScalarType::Int16, 1 }, 6, -1, converted);
-  EXPECT_EQ(converted, (Values{ 3, -4, 0, 0, -5, 12 }));
+  EXPECT_EQ(converted, (Components{ 3, -4, 0, 0, -5, 12 }));
   const std::vector<float> floats = { 1, 2 };
   for (const int component : { -1, 0 })
   {

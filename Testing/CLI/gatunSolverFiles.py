@@ -8,6 +8,8 @@ Points are a numpy array of (n, 3), bricks one of (m, 8) with corners in VTK's o
 import os
 
 import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkIOParallel import vtkEnSightWriter
 
 FACES = [(0, 4, 7, 3), (1, 2, 6, 5), (0, 1, 5, 4), (3, 7, 6, 2), (0, 3, 2, 1), (4, 5, 6, 7)]
 PATCHES = ("ends", "walls", "floor")
@@ -102,8 +104,6 @@ def write_cgns(name, points, bricks, values, array="p"):
 
 def write_ensight(name, grid, array="p"):
     """EnSight Gold files of a grid with a cell array, read by name.case."""
-    from vtkmodules.util.numpy_support import numpy_to_vtk  # pylint: disable=import-outside-toplevel
-    from vtkmodules.vtkIOParallel import vtkEnSightWriter  # pylint: disable=import-outside-toplevel
     shallow = grid.NewInstance()
     shallow.ShallowCopy(grid)
     block = numpy_to_vtk(np.ones(grid.GetNumberOfCells(), np.int32), deep=True)

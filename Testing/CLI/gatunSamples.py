@@ -4,7 +4,7 @@
 
 """Makes the small files with which the commands of Documentation/guide can be tried:
 
-    python3 Utilities/guide/samples.py [FOLDER [SIZE]]      default: samples, 10
+    python3 Testing/CLI/gatunSamples.py [FOLDER [SIZE]]      default: samples, 10
 
     mesh.vtu                    a bent duct of 18,000 tetrahedra: point arrays temperature and velocity, cell
                                 array age
@@ -27,8 +27,12 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, VTK_TETRA, vtkCellArray, vtkImageData,
                                            vtkUnstructuredGrid)
+from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkIOExodus import vtkExodusIIWriter
+from vtkmodules.vtkIOGeometry import vtkSTLWriter
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLUnstructuredGridWriter
 
-import solver_files
+import gatunSolverFiles
 
 STEPS = 5
 
@@ -108,7 +112,6 @@ def make_bricks(duct):
 
 
 def write_xml(grid, name):
-    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter  # pylint: disable=import-outside-toplevel
     writer = vtkXMLUnstructuredGridWriter()
     writer.SetInputData(grid)
     writer.SetFileName(name)
@@ -150,9 +153,6 @@ def write_parts(duct, folder):
 
 def write_others(duct, mesh, folder):
     """A surface, a volume and text."""
-    from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter  # pylint: disable=import-outside-toplevel
-    from vtkmodules.vtkIOGeometry import vtkSTLWriter  # pylint: disable=import-outside-toplevel
-    from vtkmodules.vtkIOXML import vtkXMLImageDataWriter  # pylint: disable=import-outside-toplevel
     skin = vtkGeometryFilter()
     skin.SetInputData(mesh)
     stl = vtkSTLWriter()
@@ -178,17 +178,16 @@ def write_others(duct, mesh, folder):
 
 
 def write_solvers(duct, folder):
-    from vtkmodules.vtkIOExodus import vtkExodusIIWriter  # pylint: disable=import-outside-toplevel
     bricks, values = make_bricks(duct)
     exodus = vtkExodusIIWriter()
     exodus.SetInputData(bricks)
     exodus.SetFileName(os.path.join(folder, "crash.e"))
     assert exodus.Write()
-    solver_files.write_foam(os.path.join(folder, "pipe"), duct.points, duct.bricks, values)
-    solver_files.write_ensight(os.path.join(folder, "gold"), bricks)
+    gatunSolverFiles.write_foam(os.path.join(folder, "pipe"), duct.points, duct.bricks, values)
+    gatunSolverFiles.write_ensight(os.path.join(folder, "gold"), bricks)
     write_xml(bricks, os.path.join(folder, "bricks.vtu"))
     try:
-        solver_files.write_cgns(os.path.join(folder, "flow.cgns"), duct.points, duct.bricks, values)
+        gatunSolverFiles.write_cgns(os.path.join(folder, "flow.cgns"), duct.points, duct.bricks, values)
     except ImportError:
         print("there is no h5py, so flow.cgns was not written")
 
