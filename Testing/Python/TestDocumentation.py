@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 """The documentation: pages and README's table follow from their results, other texts have no measured
-numbers, links and images resolve, the map of the core is complete, and the code, the specification and
+numbers, links and images resolve, and the code, the specification and
 the golden files agree on the newest version of the format."""
 
 import pathlib
@@ -82,18 +82,6 @@ def check_numbers(file):
             report(file, f'a measured number outside of the studies: "...{around}..."')
 
 
-def check_map():
-    """Every unit of the core is in the map of design.md, and nothing else is."""
-    file = ROOT / "Documentation" / "design.md"
-    listed = set(re.findall(r"`(gatun\w+)`", file.read_text(encoding="utf-8").split(
-        "## Map of the core", 1)[1]))
-    units = {source.stem for source in (ROOT / "Module").glob("*/gatun*.*")}
-    for unit in sorted(units - listed):
-        report(file, f"{unit} is missing in the map of the core")
-    for unit in sorted(listed - units):
-        report(file, f"{unit} is in the map of the core, but not in Module")
-
-
 def check_version():
     header = (ROOT / "Module" / "Support" / "gatunVersion.h").read_text(encoding="utf-8")
     newest = ".".join(re.search(rf"#define GATUN_FORMAT_VERSION_{part} (\d+)", header)[1]
@@ -121,7 +109,6 @@ def main():
             check_numbers(file)
     for file in documents():
         check_links(file)
-    check_map()
     check_version()
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     if readme.count("\n") >= 100:
