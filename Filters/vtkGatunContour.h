@@ -39,7 +39,7 @@
  * surface and a chunk for each thread. Decoded chunks are kept within the memory budget of the
  * reader, so that other isovalues need not decode them again. If that budget is small, shared
  * points take up to 32 MiB more (64 MiB for simplified meshes) while the surface is made. All
- * threads of vtkSMPTools are used.
+ * threads are used.
  *
  * *Errors.* A missing array, a component that does not exist, isovalues that are not finite, cells
  * that cannot be converted to tetrahedra and damaged files are reported by vtkErrorMacro and
@@ -108,8 +108,8 @@ public:
   /**
    * Whether to make a point array "Normals" (float), of unit vectors towards lower values: the mean
    * of the gradients of the tetrahedra around the edge that the point is on, weighted by their
-   * volumes; where the value is met exactly at a point of the mesh, of those that the surface goes
-   * through there, once for each edge. Default: off.
+   * volumes; at a mesh point with exactly the isovalue, the mean over the tetrahedra that the
+   * surface cuts, once per edge. Default: off.
    */
   vtkSetMacro(ComputeNormals, bool);
   vtkGetMacro(ComputeNormals, bool);

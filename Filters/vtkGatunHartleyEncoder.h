@@ -20,7 +20,7 @@
  * *Pieces.* The whole input is requested and encoded, whatever part of the output is requested.
  *
  * *Cost.* Memory: the nonzero coefficients, 8 bytes each; while encoding also all coefficients of
- * volumes of up to 2^27 voxels, 8 bytes each. Uses all threads of vtkSMPTools.
+ * volumes of up to 2^27 voxels, 8 bytes each. Uses all threads.
  *
  * *Errors.* Unsuitable arrays and values are reported by vtkErrorMacro and GetErrorCode, as for
  * vtkGatunHartleyWriter. The output is then empty and has no coefficients.

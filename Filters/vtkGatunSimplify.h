@@ -42,7 +42,7 @@
  * ghost cells, whose points are kept. Where it has none, all points on the boundary of a piece are
  * kept. The target is that of each piece.
  *
- * *Cost.* From a file, that of the reader. Otherwise: the filter uses one thread. The computation
+ * *Cost.* From a file, that of the reader. Otherwise the filter uses all threads. The computation
  * of the order takes about 150 bytes a tetrahedron and 250 a triangle, with one array. The order is
  * kept as long as the input does not change and takes 20 bytes a point.
  *

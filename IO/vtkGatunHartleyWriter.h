@@ -15,7 +15,7 @@
  * The file appears under its name when it is complete. After an error or an abort, an existing file
  * is unchanged. A read-only file is replaced only if ReplaceReadOnly is on.
  *
- * *Cost.* Memory: the nonzero coefficients, 8 bytes each. Uses all threads of vtkSMPTools; the
+ * *Cost.* Memory: the nonzero coefficients, 8 bytes each. Uses all threads; the
  * bytes of the file do not depend on their number.
  *
  * *Errors.* Reported by vtkErrorMacro with a message that begins with the file's name. Write then

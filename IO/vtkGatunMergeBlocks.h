@@ -35,7 +35,7 @@
  *
  * Processes: with Controller, each process gets the blocks that it has as one grid. Blocks have the
  * same place in the tree everywhere and may be missing or in parts. Numbers, names and arrays of
- * blocks are those of all processes, as if one had all of them. Points of different processes are
+ * blocks are global, as in a serial run. Points of different processes are
  * not merged; vtkGatunWriter does that. Field arrays are those of the process's own blocks. An
  * error of one process is one of all.
  *
@@ -47,7 +47,7 @@
  * memory: vtkErrorCode::UnknownError. No exception is thrown.
  *
  * @warning Blocks with displaced points (vtkExodusIIReader::ApplyDisplacements) move from one time
- * step to the next; vtkGatunWriter rejects them.
+ * step to the next; vtkGatunWriter then writes points that move.
  *
  * @sa vtkGatunSplitBlocks vtkGatunWriter vtkAppendFilter
  */

@@ -5,13 +5,13 @@
  * @brief Common superclass of the readers of `.gtn` files.
  *
  * A `.gtn` file holds an unstructured grid, which vtkGatunReader reads, or a surface, which
- * vtkGatunSurfaceReader reads. All that they have in common is here: the properties, the open file
+ * vtkGatunSurfaceReader reads. This class has what both share: the properties, the open file
  * and its cache, pieces, time steps, selections, regions of interest and reading on demand. The
- * output equals the input of vtkGatunWriter bit for bit: points as float or double, connectivity
- * with 32- or 64-bit ids (as in the input), point, cell and field arrays of their VTK types with
- * component names and roles (active scalars, vectors, ..., global ids). Information keys of arrays
- * are not stored in `.gtn` files. Unless the file keeps the order of the input and RestoreOrder is
- * on, points and cells come in the order of the file.
+ * output has the values of the input of vtkGatunWriter bit for bit: points as float or double,
+ * connectivity with 32- or 64-bit ids (as in the input), point, cell and field arrays of their VTK
+ * types with component names and roles (active scalars, vectors, ..., global ids). Information keys
+ * of arrays are not stored in `.gtn` files. Points and cells come in the order of the file, or in
+ * that of the input if the file keeps it and RestoreOrder is on.
  *
  * *Pieces.* A file consists of chunks. If C of them pass the region of interest, piece p of n
  * consists of the chunks floor(p C / n) to floor((p + 1) C / n) - 1. Only these are read. Points
@@ -72,7 +72,7 @@
  * read last. Decoded chunks are kept within MemoryBudget, so that other pieces, arrays and time
  * steps need not decode them again. They are not kept when the whole mesh of a file without time
  * steps is read in one piece; if the choice of arrays changes later, the chunks are decoded once
- * more and then kept. Decoding uses all threads of vtkSMPTools.
+ * more and then kept. Decoding uses all threads.
  *
  * *Errors.* Errors are reported by vtkErrorMacro with a message that begins with the name of the
  * file. GetErrorCode is then one of vtkErrorCode::NoFileNameError, FileNotFoundError,
@@ -289,9 +289,8 @@ public:
 
   ///@{
   /**
-   * How many tetrahedra a grid, or cells a surface, may have that ON_DEMAND_LARGE does not apply
-   * to, 0 or more; those that are left, about, if it is simplified.
-   * Default: 5,000,000.
+   * Largest mesh that ON_DEMAND_LARGE still reads in full: tetrahedra of a grid or cells of a
+   * surface, after simplification, 0 or more. Default: 5,000,000.
    */
   vtkSetClampMacro(LargeMesh, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(LargeMesh, vtkIdType);
@@ -376,8 +375,7 @@ public:
   static vtkInformationIntegerKey* ON_DEMAND();
 
   /**
-   * Memory of what is kept now of the file, for the reader and its consumers, in bytes; never more
-   * than MemoryBudget.
+   * Cache memory in use by the reader and its consumers, in bytes; at most MemoryBudget.
    */
   vtkTypeUInt64 GetCachedBytes();
 

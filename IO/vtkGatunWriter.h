@@ -26,15 +26,15 @@
  * Ghosts: cells marked DUPLICATECELL in vtkGhostType are left out, and points that only they use;
  * the marks for duplicates then go, too. Other marks (hidden cells and points) are kept.
  *
- * Time: with WriteAllTimeSteps, all time steps of the input go into one file. Points may move: then
- * the input is asked for its first steps once more. Cells and the number of points may change: then
+ * Time: with WriteAllTimeSteps, all time steps of the input go into one file. If points move, the
+ * writer requests the first time steps twice. Cells and the number of points may change: then
  * the file has another mesh from that step on. If an array comes, goes or changes its type, that is
  * an error naming the step; so are points that move and meshes that change with NumberOfPieces or
  * several processes. Without, the step at hand is written, with its time if it has one
  * (vtkDataObject::DATA_TIME_STEP()).
  *
- * The file appears under its name once it is complete; after an error or an abort, a file that was
- * there before is as it was. One that is read-only is replaced with ReplaceReadOnly only.
+ * The file appears under its name once it is complete; after an error or an abort, an existing
+ * file is left unchanged. A read-only file is replaced with ReplaceReadOnly only.
  *
  * Pieces: with NumberOfPieces, the input is asked for one piece after the other, twice, and the
  * whole mesh is never in memory. Points of several pieces become one if they have the same global
@@ -43,13 +43,13 @@
  * pieces is one piece. The time steps of a piece follow each other. A hierarchy and layers need the
  * whole mesh and are an error.
  *
- * Processes: with Controller, each process writes the piece that it has, one of as many as there
- * are processes. Points of several pieces become one as above. Only the points on the boundaries of
- * pieces and tables are sent. A piece may have no cells; it then needs no arrays. An error of one
- * process is one of all, and no file appears. NumberOfPieces has no effect.
+ * Processes: with Controller, each process writes its own piece; there is one piece per process.
+ * Points of several pieces become one as above. Only the points on the boundaries of pieces and
+ * tables are sent. A piece may have no cells; it then needs no arrays. An error of one process is
+ * one of all, and no file appears. NumberOfPieces has no effect.
  *
  * *Cost.* Peak memory below 3 times the mesh and one step of its arrays, the input included; when
- * cells are split, that of the split mesh in addition. All threads of vtkSMPTools are used; the
+ * cells are split, that of the split mesh in addition. All threads are used; the
  * bytes written do not depend on their number.
  *
  * *Errors.* Reported by vtkErrorMacro with a message that begins with the file's name; Write then
@@ -341,8 +341,8 @@ public:
   /**
    * Whether to write tetrahedra in place of the cells, with warnings: 3D cells are split
    * (Documentation/cells.md), nonlinear ones by their corners alone, and all other cells are left
-   * out. The cell array OriginalCellIds tells the cell of the input (an array of that name is kept
-   * as it is), and global ids of cells, no longer unique, lose that role. Default: off.
+   * out. The cell array OriginalCellIds holds the id of the input cell (an array of that name is
+   * kept as it is), and global ids of cells, no longer unique, lose that role. Default: off.
    */
   vtkSetMacro(SplitCells, bool);
   vtkGetMacro(SplitCells, bool);
@@ -361,8 +361,8 @@ public:
    * No cell turns over: tetrahedra, and those at the corners of hexahedra, voxels, wedges and
    * pyramids, keep their orientation, and flat ones stay flat, in exact arithmetic. Where they
    * would not, coordinates have finer steps, or stay. It is an error if more than 1 % of the points
-   * (and more than 16) need that, or any point of a mesh in several pieces; the message tells an
-   * error that would do.
+   * (and more than 16) need that, or any point of a mesh in several pieces; the message suggests a
+   * tolerance that works.
    */
   vtkSetClampMacro(PointError, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(PointError, double);
@@ -499,8 +499,8 @@ public:
   vtkGetMacro(WrittenPointError, double);
 
   /**
-   * Bytes that this process has sent to the other ones of Controller for the last file. What goes
-   * to all counts for each. 0 without other processes.
+   * Bytes that this process has sent to the other ones of Controller for the last file. A broadcast
+   * counts once per receiver. 0 without other processes.
    */
   vtkGetMacro(BytesSent, vtkTypeUInt64);
 

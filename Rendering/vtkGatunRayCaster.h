@@ -36,7 +36,7 @@
  *
  * *Cost.* Memory: about 75 bytes for each covered pixel and 20 MB for each thread, in addition to
  * MemoryBudget or, for a file, to the budget of the reader. Time: in proportion to the visible
- * tetrahedra and to the tetrahedra that each ray crosses. All threads of vtkSMPTools are used.
+ * tetrahedra and to the tetrahedra that each ray crosses. All threads are used.
  *
  * *Errors.* A mesh, array, parameter or file that cannot be drawn is reported by vtkErrorMacro and
  * GetErrorCode (see vtkGatunReader). The output is then empty.

@@ -36,7 +36,8 @@
  * silhouette, and coarse elsewhere. The base mesh with about eight times these points is kept in
  * memory, which takes up to half of MemoryBudget in addition to it. A thread chooses the points
  * while the camera moves; only chunks that change are transferred again, and they appear together.
- * A moving camera may thus be ahead of the surface. PixelError sets an error instead of a time.
+ * While the camera moves, the surface may lag by a few frames. PixelError sets an error instead of
+ * a time.
  *
  * *Appearance.* The pixels are those that vtkPolyDataMapper draws of the reader's output, with
  * lighting, color maps, textures, clipping planes, and all representations. Translucent surfaces

@@ -123,7 +123,7 @@ vtkIdType vtkGatunVolumeMapper::GetNumberOfDrawnPoints()
 }
 
 //------------------------------------------------------------------------------
-double vtkGatunVolumeMapper::GetPartDrawn()
+double vtkGatunVolumeMapper::GetRedrawnFraction()
 {
   return this->Internals->PartDrawn;
 }

@@ -41,7 +41,7 @@
  * apart. Where points are merged follows the view, unless ViewDependent is off: the mesh stays fine
  * near the eye, and gets coarse where it is far away, out of sight or transparent. The image at
  * rest, for which more than 10 seconds are allocated, shows the whole mesh. For a mesh in memory, a
- * background thread computes the order of merges from the first image on, in about 5 to 10 seconds
+ * background thread computes the order of merges from the first image on, in about 2 to 3 seconds
  * for a million tetrahedra, and again when the input changes. Until then only the number of rays is
  * reduced. This takes a copy of the mesh, about 60 bytes a tetrahedron in all, in addition to
  * MemoryBudget. The background thread also prepares the levels of detail that are likely to be
@@ -314,9 +314,9 @@ public:
   vtkIdType GetNumberOfDrawnPoints();
 
   /**
-   * Fraction of the last image that was drawn again, 0 to 1; see SimplificationRatio.
+   * Fraction of the last image that was redrawn, 0 to 1; see SimplificationRatio.
    */
-  double GetPartDrawn();
+  double GetRedrawnFraction();
 
   /**
    * Computes the order of merges for the input now instead of in the background, and waits for it.

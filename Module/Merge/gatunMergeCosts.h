@@ -26,7 +26,7 @@ public:
 
   static constexpr std::uint8_t MostChanges = 3; // see MergeRounds
 
-  /** Roots of sums of changes are so many times what is measured of meshes that were simplified. */
+  /** Ratio of estimated to measured RMS error. */
   static constexpr double ChangePerError = 6;
 
   /** Returns the cheapest merge of a point that turns no tetrahedron or face over, and preserves

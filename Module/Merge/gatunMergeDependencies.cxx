@@ -133,7 +133,7 @@ void MergeDependencies::Replay(const MergeTree& tree,
   {
     if (*std::max_element(cell.begin(), cell.end()) >= tree.GetNumberOfPoints())
     {
-      throw Error(ErrorCode::InvalidInput, "a cell has a point that the merges do not know");
+      throw Error(ErrorCode::InvalidInput, "a cell refers to a point outside the hierarchy");
     }
   }
   const auto& merges = tree.GetMerges();

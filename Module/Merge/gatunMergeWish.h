@@ -14,9 +14,8 @@
 namespace gatun
 {
 /**
- * For each merge, whether it is wanted: if its error times the weight of its point is at most a
- * tolerance. Those with a weight of 0 always are. Merges that belong together are wanted if all of
- * them are.
+ * Selects merges whose weighted error, error times the weight of the point, is at most the
+ * tolerance. Zero weight always selects. Merges that belong together are selected together.
  *
  * weights: for each point, 0 or more. tolerance: a negative one or one that is not a number counts
  * as 0. Throws InvalidInput if there is not a weight for each point.
@@ -24,8 +23,7 @@ namespace gatun
 GATUN_EXPORT std::vector<bool> WantMerges(
   const MergeTree& tree, std::span<const float> weights, double tolerance);
 
-/** Returns the smallest tolerance at which at least so many merges are wanted; all if there are not
- * so many. */
+/** Returns the smallest tolerance that selects at least this number of merges, or all. */
 GATUN_EXPORT double FindTolerance(
   const MergeTree& tree, std::span<const float> weights, std::size_t merges);
 }

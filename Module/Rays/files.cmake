@@ -1,22 +1,14 @@
-# Rays: the ray caster, its sources and levels of detail.
+# Rays: the ray caster and its sources.
 gatun_core_folder(Rays
   INCLUDES
     Support
     Codec
     Format
     Merge
-    File
+    Mesh
+    Read
   EXPERIMENTAL_HEADERS
-    gatunCoarseRaySource.h
-    gatunDetailCuts.h
-    gatunDetailView.h
-    gatunDetailWeights.h
-    gatunFileLevelsOfDetail.h
     gatunFileRaySource.h
-    gatunFrameBudget.h
-    gatunLevelOfDetailCache.h
-    gatunLevelsOfDetail.h
-    gatunMemoryLevelsOfDetail.h
     gatunMemoryRaySource.h
     gatunRayBlock.h
     gatunRayBlockCache.h
@@ -24,19 +16,15 @@ gatun_core_folder(Rays
     gatunRayInstructions.h
     gatunRayMerger.h
     gatunRayPieces.h
-    gatunRayRefresh.h
     gatunRayShading.h
     gatunRayShare.h
     gatunRaySource.h
     gatunRayTable.h
     gatunRayValues.h
     gatunRayView.h
-    gatunSurfaceDetail.h
     gatunValueSurvey.h
   PRIVATE_HEADERS
     gatunBlockMesh.h
-    gatunFileCuts.h
-    gatunJoinedRaySource.h
     gatunRayBins.h
     gatunRayBlockMaker.h
     gatunRayChunks.h
@@ -53,16 +41,7 @@ gatun_core_folder(Rays
     gatunRayVisibility.h
     gatunRelease.h
   SOURCES
-    gatunCoarseRaySource.cxx
-    gatunDetailCuts.cxx
-    gatunDetailWeights.cxx
-    gatunFileCuts.cxx
-    gatunFileLevelsOfDetail.cxx
     gatunFileRaySource.cxx
-    gatunFrameBudget.cxx
-    gatunJoinedRaySource.cxx
-    gatunLevelOfDetailCache.cxx
-    gatunMemoryLevelsOfDetail.cxx
     gatunMemoryRaySource.cxx
     gatunRayBins.cxx
     gatunRayBlock.cxx
@@ -77,7 +56,6 @@ gatun_core_folder(Rays
     gatunRayMerger.cxx
     gatunRayPieces.cxx
     gatunRayPixel.cxx
-    gatunRayRefresh.cxx
     gatunRayShading.cxx
     gatunRayShare.cxx
     gatunRayTable.cxx
@@ -86,5 +64,4 @@ gatun_core_folder(Rays
     gatunRayView.cxx
     gatunRayVisibility.cxx
     gatunRelease.cxx
-    gatunSurfaceDetail.cxx
     gatunValueSurvey.cxx)

@@ -5,7 +5,8 @@ gatun_core_folder(Surface
     Codec
     Format
     Merge
-    File
+    Mesh
+    Read
   EXPERIMENTAL_HEADERS
     gatunFileSurface.h
     gatunIntervalTree.h

@@ -52,7 +52,7 @@ struct FileSurfaceStatistics
  *
  * Memory: the surface, the cache, a chunk for each thread and the shared points that remaining
  * chunks need; with merges, the simplified chunks of about two million tetrahedra. Not thread safe;
- * uses all threads of vtkSMPTools.
+ * uses all threads.
  */
 class GATUN_EXPORT FileSurface
 {

@@ -3,7 +3,7 @@
 
 """Losslessly compressed unstructured meshes, and compressed volumes, for VTK.
 
-Short ways from and to files and images:
+Convenience functions for files and images:
 
     >>> import gatun
     >>> mesh = gatun.read("mesh.gtn")                    # a vtkUnstructuredGrid

@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 """The documentation: pages of measurements and README's table follow from the results, links and images
-resolve, the map of the core is complete, and the code, the specification and the golden files agree on the
-newest version of the format."""
+resolve, and the code, the specification and the golden files agree on the version of the format."""
 
 import pathlib
 import re
@@ -60,18 +59,6 @@ def check_links(file):
             report(file, f"{target}: there is no such heading")
 
 
-def check_map():
-    """Every unit of the core is in the map of design.md, and nothing else is."""
-    file = ROOT / "Documentation" / "design.md"
-    listed = set(re.findall(r"`(gatun\w+)`", file.read_text(encoding="utf-8").split(
-        "## Map of the core", 1)[1]))
-    units = {source.stem for source in (ROOT / "Module").glob("*/gatun*.*")}
-    for unit in sorted(units - listed):
-        report(file, f"{unit} is missing in the map of the core")
-    for unit in sorted(listed - units):
-        report(file, f"{unit} is in the map of the core, but not in Module")
-
-
 def check_version():
     header = (ROOT / "Module" / "Support" / "gatunVersion.h").read_text(encoding="utf-8")
     newest = ".".join(re.search(rf"#define GATUN_FORMAT_VERSION_{part} (\d+)", header)[1]
@@ -94,7 +81,6 @@ def main():
         report(file, "differs from performance/results.json; Utilities/setup.sh bench --pages writes it")
     for file in documents():
         check_links(file)
-    check_map()
     check_version()
     for problem in problems:
         print(problem)

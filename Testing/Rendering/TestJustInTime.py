@@ -110,7 +110,7 @@ drawn = []
 for ratio in 0.3, 0.3002, 0.3004, 0.31, 0.3, 0.3:
     fixed.mapper.SetSimplificationRatio(ratio)
     _, picture = at(fixed, AT_REST)
-    drawn.append(fixed.mapper.GetPartDrawn())
+    drawn.append(fixed.mapper.GetRedrawnFraction())
     _, expected = at(make(mesh, SimplificationRatio=ratio), AT_REST)
     assert gv.difference(picture, expected) == 0
 assert 0 < drawn[1] < 0.8 and 0 < drawn[2] < 0.8, drawn
@@ -118,11 +118,11 @@ assert drawn[-1] == 0, drawn
 # Whatever else changes, all of it is drawn.
 fixed.volume.GetProperty().SetScalarOpacityUnitDistance(0.3)
 at(fixed, AT_REST)
-assert fixed.mapper.GetPartDrawn() == 1
+assert fixed.mapper.GetRedrawnFraction() == 1
 fixed.volume.GetProperty().SetScalarOpacityUnitDistance(0.2)
 fixed.camera.Azimuth(1)
 at(fixed, AT_REST)
-assert fixed.mapper.GetPartDrawn() == 1
+assert fixed.mapper.GetRedrawnFraction() == 1
 fixed.camera.Azimuth(-1)
 
 # In motion no more than that.

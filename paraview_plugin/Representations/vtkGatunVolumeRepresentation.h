@@ -90,8 +90,7 @@ public:
 
   ///@{
   /**
-   * Whether fewer rays are drawn while somebody interacts, so that an image takes the time that
-   * there is. Default: on.
+   * Whether fewer rays are cast during an interaction, to meet the frame time. Default: on.
    */
   void SetAutoAdjustSampleDistances(bool on);
   bool GetAutoAdjustSampleDistances();
@@ -130,7 +129,7 @@ public:
 
   ///@{
   /**
-   * Where coarser meshes are fine: see the properties of vtkGatunVolumeMapper with these names.
+   * Regions kept at full detail; see the properties of vtkGatunVolumeMapper with these names.
    */
   void SetViewDependent(bool on);
   bool GetViewDependent();

@@ -481,8 +481,9 @@ void FileWriter::Internals::WriteLiving(std::span<const void* const> values, con
 {
   if (this->Steps.GetCount() == 0 || this->Tree || this->Boundary)
   {
-    ThrowInvalid("some cells of a mesh can only be left out behind a step with all of them, and "
-                 "without hierarchy and boundary");
+    ThrowInvalid(
+      "the first step of a mesh must have all of its cells, and cells can be left out only "
+      "without hierarchy and boundary");
   }
   const CellSubset subset(this->Part.Mesh, living);
   std::vector<Bytes> spread;

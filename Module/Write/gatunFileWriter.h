@@ -23,7 +23,7 @@ namespace gatun
  * over time, other meshes can be added.
  *
  * The file appears at its path when Finish returns. Until then, and after any failure, an existing
- * file is untouched. The writer uses all threads of vtkSMPTools; the bytes do not depend on their
+ * file is untouched. The writer uses all threads; the bytes do not depend on their
  * number. Peak memory is below 3 times the size of the mesh and one step of its arrays, or below 2
  * times without time steps and hierarchy; base meshes take as much again, and dependencies 140
  * bytes a tetrahedron.

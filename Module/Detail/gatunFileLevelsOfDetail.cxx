@@ -118,9 +118,10 @@ std::size_t FileLevelsOfDetail::FindFinest(
   }
   // In motion, a quarter of the budget is for what is known of all points.
   const auto affordable = this->Budget->GetBytes() / 4 / BytesPerPoint;
-  const auto finest = std::min(
-    this->FindLevel(isForRest ? FinestToUniform * points : std::min(FinestToUniform * points, affordable)),
-    coarse);
+  const auto finest =
+    std::min(this->FindLevel(isForRest ? FinestToUniform * points
+                                       : std::min(FinestToUniform * points, affordable)),
+      coarse);
   const FileReader& file = *this->File.GetFile();
   const double weight =
     DetailWeights(view.View, GetDiagonal(file.GetBounds())).Get(file.GetBounds());

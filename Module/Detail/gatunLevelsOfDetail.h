@@ -29,7 +29,8 @@ struct DetailLevel
 class GATUN_EXPORT LevelsOfDetail
 {
 public:
-  /** Where it is finest, a mesh for a view is as fine as a uniform one with this many times its points. */
+  /** Where it is finest, a mesh for a view is as fine as a uniform one with this many times its
+   * points. */
   static constexpr std::uint64_t FinestToUniform = 8;
 
   virtual ~LevelsOfDetail() = default;

@@ -441,7 +441,7 @@ void PartWriter::Internals::WriteStep(std::span<const void* const> values, const
 {
   if (!this->Part)
   {
-    ThrowInvalid("there is no part to write of which a further time step was surveyed");
+    ThrowInvalid("all surveyed time steps have been written");
   }
   const auto number = this->GetNumber(this->Written - 1);
   const auto& surveyed = this->Parts[number];

@@ -1,0 +1,37 @@
+# Detail: levels of detail: how many points of a mesh, and where.
+gatun_core_folder(Detail
+  INCLUDES
+    Support
+    Codec
+    Format
+    Merge
+    Mesh
+    Read
+    Rays
+  EXPERIMENTAL_HEADERS
+    gatunCoarseRaySource.h
+    gatunDetailCuts.h
+    gatunDetailView.h
+    gatunDetailWeights.h
+    gatunFileLevelsOfDetail.h
+    gatunFrameBudget.h
+    gatunLevelOfDetailCache.h
+    gatunLevelsOfDetail.h
+    gatunMemoryLevelsOfDetail.h
+    gatunRayRefresh.h
+    gatunSurfaceDetail.h
+  PRIVATE_HEADERS
+    gatunFileCuts.h
+    gatunJoinedRaySource.h
+  SOURCES
+    gatunCoarseRaySource.cxx
+    gatunDetailCuts.cxx
+    gatunDetailWeights.cxx
+    gatunFileCuts.cxx
+    gatunFileLevelsOfDetail.cxx
+    gatunFrameBudget.cxx
+    gatunJoinedRaySource.cxx
+    gatunLevelOfDetailCache.cxx
+    gatunMemoryLevelsOfDetail.cxx
+    gatunRayRefresh.cxx
+    gatunSurfaceDetail.cxx)

@@ -1,0 +1,31 @@
+# Mesh: a mesh in memory: access, checks, and its partition into chunks; no files.
+gatun_core_folder(Mesh
+  INCLUDES
+    Support
+    Cells
+    Codec
+    Format
+  HEADERS
+    gatunFindCells.h
+    gatunMeshInput.h
+  PRIVATE_HEADERS
+    gatunBisection.h
+    gatunBoundaryFaces.h
+    gatunCellSides.h
+    gatunLayerPartition.h
+    gatunLocalIds.h
+    gatunMeshAccess.h
+    gatunMeshCheck.h
+    gatunMeshTets.h
+    gatunPartition.h
+    gatunSharedGroups.h
+    gatunTetSeparation.h
+  SOURCES
+    gatunBisection.cxx
+    gatunBoundaryFaces.cxx
+    gatunFindCells.cxx
+    gatunLayerPartition.cxx
+    gatunMeshCheck.cxx
+    gatunPartition.cxx
+    gatunSharedGroups.cxx
+    gatunTetSeparation.cxx)
