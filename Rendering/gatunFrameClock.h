@@ -7,8 +7,8 @@
 
 namespace gatun
 {
-/** An image with this many seconds allocated or more is at rest: interaction allocates a second or less,
- * a still image minutes. */
+/** An image with this many seconds allocated or more is at rest: interaction allocates a second or
+ * less, a still image minutes. */
 constexpr double LeastTimeAtRest = 10;
 
 using FrameClock = std::chrono::steady_clock;
