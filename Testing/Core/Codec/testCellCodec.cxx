@@ -50,7 +50,7 @@ void ExpectNoCrash(
   }
 }
 
-void ExpectSafe(const CellCase& chunk)
+void ExpectSafeCells(const CellCase& chunk)
 {
   const auto encoded = ExpectRoundTrip(chunk);
   std::mt19937 random(4);
@@ -205,9 +205,9 @@ TEST(CellCodec, OrdersCellsInSpace)
 
 TEST(CellCodec, RejectsDamagedStreams)
 {
-  ExpectSafe(MakeCellCase(MakeHexes(4, 0.1), { .IsShared = IsInLeftPart }));
-  ExpectSafe(MakeCellCase(MakeHexes(4, 0), { .Palettes = true }));
-  ExpectSafe(MakeCellCase(MakeZoo(60, 120, 1), { .IsShared = IsInLeftPart }));
+  ExpectSafeCells(MakeCellCase(MakeHexes(4, 0.1), { .IsShared = IsInLeftPart }));
+  ExpectSafeCells(MakeCellCase(MakeHexes(4, 0), { .Palettes = true }));
+  ExpectSafeCells(MakeCellCase(MakeZoo(60, 120, 1), { .IsShared = IsInLeftPart }));
 }
 
 TEST(CellCodec, BoundsMemoryByTheLengthOfTheStream)

@@ -80,7 +80,7 @@ void ExpectRight(const Tets& tets)
 }
 
 /** Tetrahedra with random corners below some number. */
-Tets MakeSoup(std::size_t count, std::uint32_t points)
+Tets MakeFaceSoup(std::size_t count, std::uint32_t points)
 {
   std::mt19937 random(points);
   Tets tets(count);
@@ -102,7 +102,7 @@ TEST(FaceTable, FindsTheFacesOfSoups)
   ExpectRight({ { 3, 2, 2, 0 } }); // degenerate
   for (const std::uint32_t points : { 4u, 5u, 9u, 30u, 3000u })
   {
-    ExpectRight(MakeSoup(2000, points));
+    ExpectRight(MakeFaceSoup(2000, points));
   }
 }
 

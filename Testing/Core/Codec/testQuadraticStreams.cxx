@@ -27,7 +27,7 @@ using namespace gatun;
 using namespace gatun::test;
 
 /** Encodes and decodes values by all modes. Returns the spatial mode. */
-SpatialMode ExpectRoundTrip(const ChunkMesh& mesh, const Domain& domain, const ComponentKeys& truth)
+SpatialMode ExpectStreamRoundTrip(const ChunkMesh& mesh, const Domain& domain, const ComponentKeys& truth)
 {
   std::vector<ComponentKeys> keys{ truth };
   const FloatEnvironment guard;
@@ -68,7 +68,7 @@ TEST(QuadraticStreams, SmoothValuesOfAllTypesRoundTrip)
     const bool isFloat = type == ScalarType::Float32 || type == ScalarType::Float64;
     const Domain domain(type);
     const auto keys = MakeKeys(mesh, domain, isFloat ? 1 : 1e8);
-    EXPECT_TRUE(IsQuadratic(ExpectRoundTrip(mesh, domain, keys)));
+    EXPECT_TRUE(IsQuadratic(ExpectStreamRoundTrip(mesh, domain, keys)));
   }
 }
 
@@ -131,7 +131,7 @@ TEST(QuadraticStreams, ValuesThatAreNotFiniteRoundTrip)
     }
     if (count == 6)
     {
-      EXPECT_TRUE(IsQuadratic(ExpectRoundTrip(mesh, domain, keys)));
+      EXPECT_TRUE(IsQuadratic(ExpectStreamRoundTrip(mesh, domain, keys)));
     }
     keys.Before = MakeKeys(mesh, domain, 1.01).Now;
     for (std::size_t v = 3; v < keys.Now.size(); v += 13)
@@ -274,7 +274,7 @@ TEST(QuadraticStreams, NoiseKeepsTheFasterModes)
   {
     keys.Now.push_back(domain.FromNumber(1 + 1e-3 * static_cast<double>(random() % 1000)));
   }
-  EXPECT_FALSE(IsQuadratic(ExpectRoundTrip(mesh, domain, keys)));
+  EXPECT_FALSE(IsQuadratic(ExpectStreamRoundTrip(mesh, domain, keys)));
 }
 
 TEST(QuadraticStreams, ModesThatAreNotAllowedAreRejected)

@@ -94,7 +94,7 @@ Solid MakeSolid(const std::string& name)
   return MakeSolid(6, name == "Lattice" ? 0 : 0.25, [](const Vec&) { return true; });
 }
 
-double GetVolume(const std::vector<Vec>& points, const Tet& tet)
+double GetTetVolume(const std::vector<Vec>& points, const Tet& tet)
 {
   std::array<Vec, 3> u;
   for (std::size_t i = 0; i < 3; ++i)
@@ -231,7 +231,7 @@ TEST_P(SimplifiedMesh, KeepsOrientationBoundaryAndTopology)
       Tet moved = tet;
       if (Simplify(moved, ancestors))
       {
-        EXPECT_GT(GetVolume(solid.Points, moved) * GetVolume(solid.Points, tet), 0) << n;
+        EXPECT_GT(GetTetVolume(solid.Points, moved) * GetTetVolume(solid.Points, tet), 0) << n;
       }
     }
     const auto simplices = toSimplices(tets);
@@ -272,7 +272,7 @@ TEST_P(SimplifiedMesh, KeepsItsVolumeWhereOnlyInnerPointsMerge)
   double volume = 0;
   for (const Tet& tet : solid.Tets)
   {
-    volume += std::abs(GetVolume(solid.Points, tet));
+    volume += std::abs(GetTetVolume(solid.Points, tet));
   }
   double before = volume;
   std::size_t n = 0;
@@ -287,7 +287,7 @@ TEST_P(SimplifiedMesh, KeepsItsVolumeWhereOnlyInnerPointsMerge)
     double now = 0;
     for (const Tet& tet : SimplifyAll(solid.Tets, tree, n))
     {
-      now += std::abs(GetVolume(solid.Points, tet));
+      now += std::abs(GetTetVolume(solid.Points, tet));
     }
     const bool onlyInner = std::none_of(tree.GetMerges().begin() + static_cast<long>(n - 8),
       tree.GetMerges().begin() + static_cast<long>(n),
@@ -437,7 +437,7 @@ TEST(MergeBuilder, TakesWhateverMeshesThereAre)
     Tet moved = tet;
     if (Simplify(moved, ancestors))
     {
-      EXPECT_GE(GetVolume(soup.Points, moved) * GetVolume(soup.Points, tet), 0);
+      EXPECT_GE(GetTetVolume(soup.Points, moved) * GetTetVolume(soup.Points, tet), 0);
     }
   }
 }
