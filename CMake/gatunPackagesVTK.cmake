@@ -44,18 +44,18 @@ its manual pages, and completion for bash and zsh."
 
 if (GATUN_ENABLE_TETGEN)
   set(gatun_about_tetgen
-    "TetGen, and this package with it, is under the GNU Affero General Public License, unlike the rest of Gatun.")
+    "TetGen, and this package with the program that links it, is under the GNU Affero General Public License, unlike the rest of Gatun.")
   gatun_package(tetgen
     NAME        gatun-tetgen
     SECTION     science
     LICENSE     tetgen
     SHARED
     SUMMARY     "losslessly compressed meshes for VTK - tetrahedra by TetGen"
-    DESCRIPTION "This package fills surfaces with tetrahedra: gtn mesh, and the library vtkGatunTetGen."
+    DESCRIPTION "This package fills surfaces with tetrahedra: gtn mesh, the library vtkGatunTetGen, and the program gatun-tetgen, which both start."
                 "${gatun_about_tetgen}"
     SUGGESTS    gatun python3-gatun-tetgen
     OVERRIDES
-      "# The library and what gtn loads of it are one package, which the user chooses for its license."
+      "# The library, what gtn loads of it and the program that they start are one package, which the user chooses for its license."
       "gatun-tetgen: package-name-doesnt-match-sonames")
   gatun_package(tetgen_development
     NAME        gatun-tetgen-dev

@@ -197,7 +197,6 @@ install(
   FILES
     "${CMAKE_BINARY_DIR}/${gatun_cmake_destination}/GatunConfig.cmake"
     "${CMAKE_BINARY_DIR}/${gatun_cmake_destination}/GatunConfigVersion.cmake"
-    "${CMAKE_CURRENT_SOURCE_DIR}/CMake/FindTetGen.cmake"
     "${CMAKE_CURRENT_SOURCE_DIR}/CMake/FindxxHash.cmake"
   DESTINATION "${gatun_cmake_destination}"
   COMPONENT   development)

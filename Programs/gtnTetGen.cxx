@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The library gtnTetGen. It is apart from the program because of TetGen's license.
+// The library gtnTetGen. It is apart from the program, so that it need not be installed.
 
 #include "gtnTetGen.h"
 

@@ -3,8 +3,7 @@
 #ifndef gtnTetGen_h
 #define gtnTetGen_h
 
-// TetGen, in a library that is loaded on demand, so that its license (GNU AGPL) covers those
-// programs only that ship with the library.
+// TetGen, by a library that is loaded on demand, so that it need not be installed.
 
 #include "vtkSmartPointer.h"
 

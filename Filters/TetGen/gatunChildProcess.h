@@ -3,9 +3,10 @@
 #ifndef gatunChildProcess_h
 #define gatunChildProcess_h
 
-// Runs code that may crash, print or never return in a child process.
+// Runs a program that may crash, print or never return.
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace gatun
@@ -13,7 +14,7 @@ namespace gatun
 enum class ChildOutcome
 {
   Done,
-  Crashed,
+  Crashed, ///< or ended with another exit code than those of the others
   OutOfMemory,
   Stopped ///< because keepGoing returned false
 };
@@ -21,14 +22,19 @@ enum class ChildOutcome
 using Bytes = std::vector<unsigned char>;
 
 /**
- * Calls work in a forked child process and returns the bytes that it stored in its argument. All
- * other side effects of work are lost. Work must not use threads. While it runs, keepGoing is
- * called about ten times a second; the child is killed when keepGoing returns false. If quiet is
- * set, the output of the child is discarded. On systems without fork(), work is called directly and
- * its exceptions propagate. Throws std::bad_alloc.
+ * Starts a program, sends it the input through a socket that is its standard input, and returns
+ * what it answers there. The process gets none of the other open files of this one, and no code of
+ * this one runs in it. While it runs, keepGoing is called about ten times a second; the process is
+ * killed when keepGoing returns false. If quiet is set, its messages are discarded. Throws
+ * std::system_error if the program cannot be started, and std::bad_alloc.
  */
-ChildOutcome RunInChild(const std::function<void(Bytes&)>& work,
+ChildOutcome RunProgram(const std::string& program, const Bytes& input,
   const std::function<bool()>& keepGoing, bool quiet, Bytes& result);
+
+/** The absolute path of a program in the folder "gatun" next to this library, or, if this is a
+ * static library of a program, next to the libraries that are installed with the program. Throws
+ * std::system_error. */
+std::string FindProgram(const char* name);
 }
 
 #endif

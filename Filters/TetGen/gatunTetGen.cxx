@@ -1,123 +1,47 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// TetGen 1.5 throws an integer when it fails, but frees memory twice during unwinding. It also has
-// assertions, prints messages, and may not terminate. Therefore it runs in a child process.
+// TetGen may crash or never return. It is in a program of its own.
 
 #include "gatunTetGen.h"
 
 #include "gatunChildProcess.h"
-
-#include <tetgen.h>
+#include "gatunTetGenStream.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <map>
 #include <new>
+#include <system_error>
 
 namespace gatun
 {
 namespace
 {
-
-// tetgenio releases its members with delete[].
-void FillInput(tetgenio& in, const TetGenSurface& surface, const TetGenHoles& holes)
+// Runs the program gatun-tetgen. Returns its answer, or nothing if TetGen failed.
+Bytes CallTetGen(
+  const TetGenSurface& surface, const TetGenHoles& holes, const TetGenRun& run, TetGenTask task)
 {
-  in.firstnumber = 0;
-  in.pointlist = new double[surface.Points.size()];
-  in.numberofpoints = static_cast<int>(surface.Points.size() / 3);
-  std::copy(surface.Points.begin(), surface.Points.end(), in.pointlist);
-
-  in.facetlist = new tetgenio::facet[surface.Triangles.size()];
-  for (const auto& triangle : surface.Triangles)
-  {
-    tetgenio::facet& facet = in.facetlist[in.numberoffacets];
-    tetgenio::init(&facet);
-    ++in.numberoffacets;
-    facet.polygonlist = new tetgenio::polygon[1];
-    facet.numberofpolygons = 1;
-    tetgenio::polygon& polygon = facet.polygonlist[0];
-    tetgenio::init(&polygon);
-    polygon.vertexlist = new int[3];
-    polygon.numberofvertices = 3;
-    std::copy(triangle.begin(), triangle.end(), polygon.vertexlist);
-  }
-
-  if (!holes.empty())
-  {
-    in.holelist = new double[3 * holes.size()];
-    in.numberofholes = static_cast<int>(holes.size());
-    double* target = in.holelist;
-    for (const auto& hole : holes)
-    {
-      target = std::copy(hole.begin(), hole.end(), target);
-    }
-  }
-}
-
-TetGenMesh TakeOutput(const tetgenio& out)
-{
-  TetGenMesh mesh;
-  mesh.Points.assign(out.pointlist, out.pointlist + 3 * std::size_t(out.numberofpoints));
-  mesh.Tets.resize(out.numberoftetrahedra);
-  for (std::size_t i = 0; i < mesh.Tets.size(); ++i)
-  {
-    const int* corners = out.tetrahedronlist + 4 * i;
-    mesh.Tets[i] = { corners[0], corners[1], corners[2], corners[3] };
-  }
-  if (out.numberoftetrahedronattributes > 0)
-  {
-    const int stride = out.numberoftetrahedronattributes;
-    mesh.Regions.resize(mesh.Tets.size());
-    for (std::size_t i = 0; i < mesh.Tets.size(); ++i)
-    {
-      mesh.Regions[i] = static_cast<int>(out.tetrahedronattributelist[i * stride + stride - 1]);
-    }
-  }
-  return mesh;
-}
-
-template <typename T>
-void Append(Bytes& bytes, const std::vector<T>& values)
-{
-  const std::size_t count = values.size();
-  const auto* size = reinterpret_cast<const unsigned char*>(&count);
-  bytes.insert(bytes.end(), size, size + sizeof(count));
-  const auto* first = reinterpret_cast<const unsigned char*>(values.data());
-  bytes.insert(bytes.end(), first, first + count * sizeof(T));
-}
-
-template <typename T>
-void Take(const unsigned char*& bytes, std::vector<T>& values)
-{
-  std::size_t count;
-  std::memcpy(&count, bytes, sizeof(count));
-  bytes += sizeof(count);
-  values.resize(count);
-  if (count > 0)
-  {
-    std::memcpy(values.data(), bytes, count * sizeof(T));
-  }
-  bytes += count * sizeof(T);
-}
-
-// Calls TetGen in a child process and passes its output to use.
-Bytes CallTetGen(const TetGenSurface& surface, const TetGenHoles& holes, const TetGenRun& run,
-  const std::function<void(const tetgenio&, Bytes&)>& use)
-{
+  Bytes input;
+  Append<TetGenTask>(input, { task });
+  Append(input, std::vector<char>(run.Switches.begin(), run.Switches.end()));
+  Append(input, surface.Points);
+  Append(input, surface.Triangles);
+  Append(input, holes);
   Bytes bytes;
-  const auto work = [&](Bytes& result)
+  ChildOutcome outcome = ChildOutcome::Crashed;
+  std::string program = "gatun-tetgen";
+  try
   {
-    tetgenio in;
-    tetgenio out;
-    FillInput(in, surface, holes);
-    std::string modifiable = run.Switches;
-    tetrahedralize(modifiable.data(), &in, &out);
-    use(out, result);
-  };
-  switch (RunInChild(work, run.KeepGoing, run.Quiet, bytes))
+    program = FindProgram("gatun-tetgen");
+    outcome = RunProgram(program, input, run.KeepGoing, run.Quiet, bytes);
+  }
+  catch (const std::system_error& error)
+  {
+    throw TetGenError("the program " + program + " cannot be started: " + error.code().message());
+  }
+  switch (outcome)
   {
     case ChildOutcome::Stopped:
       throw TetGenStopped();
@@ -137,13 +61,12 @@ Bytes CallTetGen(const TetGenSurface& surface, const TetGenHoles& holes, const T
 {
   // With the switch d, TetGen only detects and returns intersecting faces.
   run.Switches = "pzdQ";
-  const Bytes bytes = CallTetGen(surface, {}, run,
-    [](const tetgenio& out, Bytes& result) { Append<int>(result, { out.numberoftrifaces }); });
+  const Bytes bytes = CallTetGen(surface, {}, run, TetGenTask::CountFaces);
   std::vector<int> faces;
   if (!bytes.empty())
   {
-    const unsigned char* position = bytes.data();
-    Take(position, faces);
+    std::size_t position = 0;
+    Take(bytes, position, faces);
   }
   if (!faces.empty() && faces[0] > 0)
   {
@@ -245,23 +168,16 @@ std::map<int, int> DepthOfRegions(const TetGenMesh& mesh)
 //------------------------------------------------------------------------------
 TetGenMesh RunTetGen(const TetGenSurface& surface, const TetGenHoles& holes, const TetGenRun& run)
 {
-  const Bytes bytes = CallTetGen(surface, holes, run,
-    [](const tetgenio& out, Bytes& result)
-    {
-      const TetGenMesh mesh = TakeOutput(out);
-      Append(result, mesh.Points);
-      Append(result, mesh.Tets);
-      Append(result, mesh.Regions);
-    });
+  const Bytes bytes = CallTetGen(surface, holes, run, TetGenTask::Mesh);
   if (bytes.empty())
   {
     ThrowReason(surface, run);
   }
   TetGenMesh mesh;
-  const unsigned char* position = bytes.data();
-  Take(position, mesh.Points);
-  Take(position, mesh.Tets);
-  Take(position, mesh.Regions);
+  std::size_t position = 0;
+  Take(bytes, position, mesh.Points);
+  Take(bytes, position, mesh.Tets);
+  Take(bytes, position, mesh.Regions);
   return mesh;
 }
 

@@ -3,7 +3,7 @@
 #ifndef gatunTetGen_h
 #define gatunTetGen_h
 
-// A wrapper of TetGen's tetrahedralize() that takes vectors and reports errors by exceptions.
+// TetGen's tetrahedralize(), in the program gatun-tetgen, with vectors and exceptions.
 
 #include <array>
 #include <functional>
@@ -49,8 +49,8 @@ struct TetGenRun
   std::function<bool()> KeepGoing; ///< polled while TetGen runs; returns false to stop it
 };
 
-/** Runs TetGen on a surface. Throws TetGenError, TetGenStopped and std::bad_alloc. Not safe to call
- * from two threads at once. */
+/** Runs TetGen on a surface. Throws TetGenError, also if the program cannot be started,
+ * TetGenStopped and std::bad_alloc. */
 TetGenMesh RunTetGen(const TetGenSurface& surface, const TetGenHoles& holes, const TetGenRun& run);
 
 /** Finds the cavities of a surface with several components and returns a point inside each. Regions

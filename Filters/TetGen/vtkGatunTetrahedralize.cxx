@@ -299,6 +299,11 @@ int vtkGatunTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
     this->SetErrorCode(vtkErrorCode::UserError);
     vtkErrorMacro("Not enough memory to fill the surface.");
   }
+  catch (const std::exception& error)
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorMacro(<< "The surface cannot be filled: " << error.what() << ".");
+  }
   output->Initialize();
   return 0;
 }

@@ -25,6 +25,7 @@ gatun_core_folder(Support
     gatunKeepMemory.h
     gatunLargeArray.h
     gatunMorton.h
+    gatunProcessors.h
     gatunSimd.h
     gatunSpread.h
     gatunVector.h
@@ -39,5 +40,6 @@ gatun_core_folder(Support
     gatunKeepMemory.cxx
     gatunParallel.cxx
     gatunPrintable.cxx
+    gatunProcessors.cxx
     gatunValueHistogram.cxx
     gatunVersion.cxx)

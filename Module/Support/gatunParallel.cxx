@@ -6,6 +6,7 @@
 #include "gatunParallel.h"
 
 #include "gatunError.h"
+#include "gatunProcessors.h"
 
 #include <vtkSMPTools.h>
 
@@ -130,17 +131,18 @@ bool IsSequentialByDefault()
     !std::getenv("VTK_SMP_BACKEND_IN_USE");
 }
 
-/** As the backend STDThread of VTK finds it. */
+/** What the user has chosen, as the backend STDThread of VTK finds it, or one for each processor
+ * that this process may use. */
 int GetNumberOfOwnThreads()
 {
-  const auto most = static_cast<int>(std::thread::hardware_concurrency());
   int threads = OwnThreads;
   const char* const limit = std::getenv("VTK_SMP_MAX_THREADS");
   if (threads == 0 && limit)
   {
     threads = std::atoi(limit);
   }
-  return threads > 0 ? std::min(threads, most) : most;
+  const auto most = static_cast<int>(std::thread::hardware_concurrency());
+  return threads > 0 ? std::min(threads, std::max(most, 1)) : GetNumberOfProcessors();
 }
 
 /**

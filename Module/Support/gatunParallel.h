@@ -17,8 +17,9 @@ namespace gatun
 {
 /**
  * Calls body(0) ... body(count - 1), each once, on the threads of vtkSMPTools. If its backend is
- * Sequential by default, as in Debian's ParaView, on threads of its own: one for each
- * processor, and at most VTK_SMP_MAX_THREADS of the environment.
+ * Sequential by default, as in Debian's ParaView, on threads of its own: as many as
+ * SetNumberOfThreads or VTK_SMP_MAX_THREADS of the environment says, or one for each processor that
+ * the affinity and the control groups (the quota of a container) of this process allow.
  *
  * If a body throws, the bodies that have not begun are skipped, and the first exception is thrown
  * again by the calling thread. The calling thread calls progress(fraction) before and after all

@@ -8,11 +8,24 @@
 
 #include <dlfcn.h>
 
+#include <filesystem>
+
 namespace gtn
 {
+namespace
+{
+/** The folder of the libraries, as an absolute path: the loader would look for a bare name in what
+ * LD_LIBRARY_PATH names. */
+std::filesystem::path FindLibraries()
+{
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path() / GTN_LIBRARY_FOLDER;
+}
+}
+
+//------------------------------------------------------------------------------
 const void* LoadLibrary(const char* library, const char* name, const std::string& purpose)
 {
-  const std::string file = std::string("lib") + library + ".so";
+  const auto file = FindLibraries().lexically_normal() / (std::string("lib") + library + ".so");
   void* const loaded = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   const void* const found = loaded ? ::dlsym(loaded, name) : nullptr;
   if (!found)

@@ -11,8 +11,9 @@
 namespace gtn
 {
 /**
- * Loads one of the libraries next to those of Gatun, such as "gtnImages", and returns what it
- * exports by a name. Throws Failure, which says that gtn cannot do the purpose, such as "read
+ * Loads one of the libraries in the folder "gatun" next to those of Gatun, such as "gtnImages", and
+ * returns what it exports by a name. Nothing else of this name is loaded, whatever the environment
+ * says. Throws Failure, which says that gtn cannot do the purpose, such as "read
  * images", if there is no such library or name.
  */
 const void* LoadLibrary(const char* library, const char* name, const std::string& purpose);

@@ -55,6 +55,7 @@ holds(data
 if ("tetgen" IN_LIST COMPONENTS)
   holds(tetgen
     "${library}/libvtkGatunTetGen\\.so\\.[0-9.]+"
+    "${library}/gatun/gatun-tetgen"
     "${library}/gatun/libgtnTetGen\\.so")
   holds(tetgen_development
     "include/gatun/vtkGatun(TetGenModule|Tetrahedralize)\\.h"
@@ -99,6 +100,20 @@ execute_process(COMMAND "${TEMP}/without/bin/gtn" mesh "${TEMP}/surface.obj" "${
   ERROR_VARIABLE errors)
 if (NOT code EQUAL 1 OR ("tetgen" IN_LIST COMPONENTS AND NOT errors MATCHES "libgtnTetGen"))
   message(FATAL_ERROR "exit ${code}: ${errors}")
+endif ()
+
+# With it, TetGen is in a program of its own, and there is no other way to run it.
+if ("tetgen" IN_LIST COMPONENTS)
+  file(COPY "${TEMP}/runtime/" "${TEMP}/tools/" "${TEMP}/tetgen/" DESTINATION "${TEMP}/with")
+  run("${TEMP}/with/bin/gtn" mesh "${TEMP}/surface.obj" "${TEMP}/mesh.gtn")
+  file(GLOB_RECURSE program "${TEMP}/with/*/gatun-tetgen")
+  file(REMOVE "${program}" "${TEMP}/mesh.gtn")
+  execute_process(COMMAND "${TEMP}/with/bin/gtn" mesh "${TEMP}/surface.obj" "${TEMP}/mesh.gtn"
+    RESULT_VARIABLE code
+    ERROR_VARIABLE errors)
+  if (NOT code EQUAL 1 OR NOT errors MATCHES "gatun-tetgen cannot be started" OR EXISTS "${TEMP}/mesh.gtn")
+    message(FATAL_ERROR "exit ${code}: ${errors}")
+  endif ()
 endif ()
 
 # Nor does the Python package need it.

@@ -53,7 +53,8 @@ def show(source, view, representation="Gatun Volume"):
     shown = simple.Show(source, view)
     shown.SetRepresentationType(representation)
     color(shown, view)
-    shown.ScalarOpacityUnitDistance = 3
+    if hasattr(shown, "ScalarOpacityUnitDistance"):
+        shown.ScalarOpacityUnitDistance = 3
     return shown
 
 

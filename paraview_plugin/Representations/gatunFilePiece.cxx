@@ -6,6 +6,8 @@
 #include "vtkGatunFileHandle.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -14,6 +16,7 @@
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkMetaReader.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
 #include <utility>
@@ -26,6 +29,17 @@ constexpr const char* PathName = "GatunDrawnFile";
 constexpr const char* TimeName = "GatunDrawnTime";
 constexpr const char* MergesName = "GatunDrawnMerges";
 constexpr const char* CellsName = "GatunDrawnCells";
+
+void RemoveArrays(vtkFieldData* field)
+{
+  for (const char* const name : { PathName, TimeName, MergesName, CellsName })
+  {
+    while (field && field->HasArray(name))
+    {
+      field->RemoveArray(name);
+    }
+  }
+}
 
 /** The algorithm whose output the input is, unchanged, and the port of that output. */
 std::pair<vtkAlgorithm*, int> FindInput(vtkAlgorithm* consumer)
@@ -86,8 +100,26 @@ DrawnFile DescribeFile(vtkGatunFileHandle* handle, vtkDataObject* output)
 }
 
 //------------------------------------------------------------------------------
+void UnmarkPiece(vtkDataObject* piece)
+{
+  if (piece)
+  {
+    RemoveArrays(piece->GetFieldData());
+  }
+  if (auto* const blocks = vtkCompositeDataSet::SafeDownCast(piece))
+  {
+    const auto each = vtk::TakeSmartPointer(blocks->NewIterator());
+    for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
+    {
+      UnmarkPiece(each->GetCurrentDataObject());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void MarkPiece(vtkDataObject* piece, const DrawnFile& file)
 {
+  UnmarkPiece(piece);
   vtkNew<vtkStringArray> path;
   path->SetName(PathName);
   path->InsertNextValue(file.Path);

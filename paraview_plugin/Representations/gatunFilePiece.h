@@ -21,7 +21,9 @@ VTK_ABI_NAMESPACE_END
 
 // The way of a file from the process that reads it to the process that draws it. Within a process
 // that is the handle of the file. To another process it is the name of the file, as field data of
-// the piece that ParaView delivers.
+// the piece that ParaView delivers, because keys of information do not get there. Files have field
+// data, too: a representation removes such arrays from all that it gets, so that only a handle can
+// mark a piece.
 
 namespace gatun
 {
@@ -48,10 +50,14 @@ vtkGatunFileHandle* FindHandle(vtkAlgorithm* consumer);
 /** The file of a handle at the time of the reader's output. */
 DrawnFile DescribeFile(vtkGatunFileHandle* handle, vtkDataObject* output);
 
+/** Removes what looks like a mark from a piece and its blocks, whoever has made it. */
+void UnmarkPiece(vtkDataObject* piece);
+
 /** Adds the file that is to be drawn in place of a piece to the field data of the piece. */
 void MarkPiece(vtkDataObject* piece, const DrawnFile& file);
 
-/** The file to be drawn in place of a piece, if it is marked. */
+/** The file to be drawn in place of a piece, if it is marked. For pieces that a representation has
+ * delivered; see PieceSource::GetMark. */
 DrawnFile GetMark(vtkDataObject* piece);
 }
 

@@ -35,10 +35,17 @@ PieceSource::~PieceSource() = default;
 //------------------------------------------------------------------------------
 vtkGatunFileHandle* PieceSource::FindFile(vtkAlgorithm* representation)
 {
+  this->HasInput = true;
   vtkGatunFileHandle* const handle = FindHandle(representation);
   this->Handle =
     handle && handle->GetCanReplaceOutput() && handle->GetIsOnDemand() ? handle : nullptr;
   return this->Handle;
+}
+
+//------------------------------------------------------------------------------
+DrawnFile PieceSource::GetMark(vtkDataObject* piece) const
+{
+  return piece && (this->Handle || !this->HasInput) ? gatun::GetMark(piece) : DrawnFile();
 }
 
 //------------------------------------------------------------------------------

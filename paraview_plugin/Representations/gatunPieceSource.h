@@ -39,6 +39,10 @@ public:
   /** Looks at the input of a representation. Returns its handle if it is a file on demand. */
   vtkGatunFileHandle* FindFile(vtkAlgorithm* representation);
 
+  /** The file to be drawn in place of a piece, if it is marked. A process that reads the input
+   * itself believes a mark only if that input is a file on demand. */
+  DrawnFile GetMark(vtkDataObject* piece) const;
+
   /** The source to draw in place of a piece; null if the file is not open. */
   vtkAlgorithm* Connect(vtkAlgorithm* representation, vtkDataSet* piece, const DrawnFile& file);
 
@@ -48,6 +52,7 @@ private:
   vtkNew<vtkGatunHandleSource> OwnFile;          // of the reader in this process
   vtkSmartPointer<vtkGatunMeshReader> OtherFile; // of a reader in another process
   vtkSmartPointer<vtkGatunFileHandle> Handle;    // of the piece, if it comes from a file on demand
+  bool HasInput = false;                         // of the representation, in this process
 };
 }
 

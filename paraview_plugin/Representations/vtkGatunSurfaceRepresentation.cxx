@@ -164,6 +164,7 @@ int vtkGatunSurfaceRepresentation::RequestData(
 {
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
   this->ReadsFile = false;
+  gatun::UnmarkPiece(this->GetRenderedDataObject(0));
   vtkDataObject* const input = inputVector[0]->GetNumberOfInformationObjects() == 1
     ? vtkDataObject::GetData(inputVector[0], 0)
     : nullptr;
@@ -292,7 +293,7 @@ void vtkGatunSurfaceRepresentation::ConnectMappers(
   vtkInformation* inInfo, vtkMultiProcessController* controller)
 {
   vtkPolyData* const piece = FindSurface(vtkPVView::GetDeliveredPiece(inInfo, this));
-  const gatun::DrawnFile file = piece ? gatun::GetMark(piece) : gatun::DrawnFile();
+  const gatun::DrawnFile file = this->File->GetMark(piece);
   this->DrawsFile = false;
   if (file.Path.empty())
   {

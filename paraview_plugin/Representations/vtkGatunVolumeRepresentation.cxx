@@ -46,7 +46,6 @@ vtkStandardNewMacro(vtkGatunVolumeRepresentation);
 
 namespace
 {
-
 //------------------------------------------------------------------------------
 vtkDataObject* GetData(vtkAlgorithmOutput* producer)
 {
@@ -55,9 +54,9 @@ vtkDataObject* GetData(vtkAlgorithmOutput* producer)
 
 //------------------------------------------------------------------------------
 /** Whether the piece of any process has a volume to draw. Collective. */
-bool AnyHasVolume(vtkUnstructuredGrid* piece)
+bool AnyHasVolume(vtkUnstructuredGrid* piece, const gatun::DrawnFile& file)
 {
-  const int own = piece && (!gatun::GetMark(piece).Path.empty() || gatun::HasVolume(piece)) ? 1 : 0;
+  const int own = piece && (!file.Path.empty() || gatun::HasVolume(piece)) ? 1 : 0;
   int any = own;
   if (auto* const controller = vtkMultiProcessController::GetGlobalController())
   {
@@ -69,9 +68,8 @@ bool AnyHasVolume(vtkUnstructuredGrid* piece)
 //------------------------------------------------------------------------------
 /** Marks a piece that stands for a file with the number of cells that do so in all processes.
  * Collective. */
-void MarkCells(vtkUnstructuredGrid* piece, vtkIdType own)
+void MarkCells(vtkUnstructuredGrid* piece, gatun::DrawnFile file, vtkIdType own)
 {
-  gatun::DrawnFile file = gatun::GetMark(piece);
   vtkIdType all = own;
   if (auto* const controller = vtkMultiProcessController::GetGlobalController())
   {
@@ -338,6 +336,7 @@ void vtkGatunVolumeRepresentation::MakePiece(vtkDataObject* input)
       this->Piece = gatun::MakeMeshPiece(made);
     }
   }
+  gatun::UnmarkPiece(this->Piece);
   this->Piece->GetBounds(this->DataBounds);
 }
 
@@ -371,8 +370,9 @@ void vtkGatunVolumeRepresentation::DeliverPiece(vtkInformation* inInfo, vtkInfor
   // All processes draw each image together, also those that have nothing in view. Cells stay where
   // they are, so that no order of processes is needed. Surfaces in place of volumes need it, as
   // they are drawn translucent.
-  const bool hasVolume = AnyHasVolume(this->Piece);
-  MarkCells(this->Piece, this->OwnCells);
+  const gatun::DrawnFile file = this->File->GetMark(this->Piece);
+  const bool hasVolume = AnyHasVolume(this->Piece, file);
+  MarkCells(this->Piece, file, this->OwnCells);
   outInfo->Set(hasVolume ? vtkPVRenderView::RENDER_EMPTY_IMAGES()
                          : vtkPVRenderView::NEED_ORDERED_COMPOSITING(),
     1);
@@ -435,7 +435,7 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
     }
     return;
   }
-  else if (const gatun::DrawnFile file = gatun::GetMark(piece); !file.Path.empty())
+  else if (const gatun::DrawnFile file = this->File->GetMark(piece); !file.Path.empty())
   {
     this->CellsInPlace = file.Cells;
     if (!this->ConnectFile(piece, file))
@@ -488,7 +488,7 @@ vtkMultiProcessController* vtkGatunVolumeRepresentation::FindController(
   {
     return nullptr; // the first process draws alone
   }
-  return AnyHasVolume(piece) ? controller : nullptr;
+  return AnyHasVolume(piece, this->File->GetMark(piece)) ? controller : nullptr;
 }
 
 //------------------------------------------------------------------------------
