@@ -175,7 +175,7 @@ private:
   std::shared_ptr<const gatun::DetailView> GetView(vtkCamera* camera) const
   {
     const gatun::RayView view = this->Of.MakeView(this->Settings.Size, camera);
-    return std::make_shared<const gatun::DetailView>(gatun::DetailView{ view, 0, {},
+    return std::make_shared<const gatun::DetailView>(gatun::DetailView{ view, 0,
       std::make_shared<const gatun::RayTable>(
         this->Of.MakeTable(view, gatun::RayMode::Composite)) });
   }

@@ -124,7 +124,7 @@ void Film(const DetailFilmOptions& options)
     const gatun::RayView view = scene.MakeView(options.Size, camera);
     const auto table = scene.MakeTable(view, gatun::RayMode::Composite);
     const auto detail = std::make_shared<const gatun::DetailView>(
-      gatun::DetailView{ view, 0, {}, std::make_shared<const gatun::RayTable>(table) });
+      gatun::DetailView{ view, 0, std::make_shared<const gatun::RayTable>(table) });
     for (const bool follows : { false, true })
     {
       const auto level =

@@ -101,19 +101,6 @@ void SetDetail(const RenderOptions& options, vtkGatunRayCaster* caster)
 {
   caster->SetViewDependent(!options.Uniform);
   caster->SetPixelError(options.PixelError);
-  if (!options.DetailBounds.empty())
-  {
-    caster->SetDetailBounds(options.DetailBounds.data());
-  }
-  if (!options.DetailSphere.empty())
-  {
-    caster->SetDetailCenter(options.DetailSphere.data());
-    caster->SetDetailRadius(options.DetailSphere[3]);
-  }
-  if (!options.DetailRange.empty())
-  {
-    caster->SetDetailRange(options.DetailRange.data());
-  }
 }
 
 /** The automatic opacities are those of lengths, which the largest value along a ray does not have.

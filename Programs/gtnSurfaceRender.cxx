@@ -64,13 +64,11 @@ void RequireDisplay(const std::string& file)
 void RequireSurfaceOptions(const RenderOptions& options)
 {
   if (options.BlendMode != 0 || options.SampleDistance || options.UnitDistance ||
-    options.TimeBudget > 0 || options.Uniform || !options.DetailBounds.empty() ||
-    !options.DetailSphere.empty() || !options.DetailRange.empty())
+    options.TimeBudget > 0 || options.Uniform)
   {
     throw Failure(options.Input.File,
-      "is a surface; --mode, --sample-distance, --unit-distance, --budget, --uniform and regions "
-      "of "
-      "detail are for volumes");
+      "is a surface; --mode, --sample-distance, --unit-distance, --budget and --uniform are for "
+      "volumes");
   }
   if (options.PixelError > 0 && ExtensionOf(options.Input.File) != ".gtn")
   {

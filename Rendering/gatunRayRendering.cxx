@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace gatun
 {
@@ -228,6 +229,14 @@ RayTable MakeRayTable(
     throw Error(ErrorCode::InvalidInput, "the unit distance of opacity must be positive");
   }
   return RayTable(mode, getColor, range, sampleDistance, unit);
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const DetailView> MakeDetailView(
+  double pixelError, const RayView& view, RayTable table)
+{
+  return std::make_shared<const DetailView>(
+    DetailView{ view, pixelError, std::make_shared<const RayTable>(std::move(table)) });
 }
 
 //------------------------------------------------------------------------------

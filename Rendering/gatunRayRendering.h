@@ -6,10 +6,12 @@
 
 // VTK's cameras and properties as the ray caster wants them.
 
+#include "gatunDetailView.h"
 #include "gatunRayCaster.h"
 
 #include "vtkType.h" // For VTK_ABI_NAMESPACE_BEGIN
 
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -78,6 +80,10 @@ std::optional<RayMode> RayModeOf(int blendMode);
 /** Colors and opacities of a property, for values in a range. Unit distance: the property's. */
 RayTable MakeRayTable(
   vtkVolumeProperty* property, RayMode mode, const Range& values, double sampleDistance);
+
+/** What an image needs of a mesh. View: with a ray for each pixel. */
+std::shared_ptr<const DetailView> MakeDetailView(
+  double pixelError, const RayView& view, RayTable table);
 
 /** How light falls on a volume, if its property wants shading. Lights: null for one at the camera.
  */

@@ -3,7 +3,6 @@
 
 #include "vtkGatunRayCaster.h"
 
-#include "gatunDetailSettings.h"
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
 #include "gatunFileConsumer.h"
@@ -86,11 +85,6 @@ public:
   gatun::RayStatistics Statistics;
   std::uint64_t Points = 0; // of the last image
 
-  static gatun::DetailSettings GetDetail(const vtkGatunRayCaster& self)
-  {
-    return { self.PixelError, self.DetailBounds, self.DetailCenter, self.DetailRadius,
-      self.DetailRange };
-  }
   void Draw(const vtkGatunRayCaster& self, gatun::FrameRequest request, gatun::RayCaster& caster,
     const gatun::RayView& view, const gatun::RaySource::Progress& progress);
 };
@@ -351,7 +345,6 @@ int vtkGatunRayCaster::RequestData(
     gatun::RequireNumber("OpacityLimit", this->OpacityLimit);
     gatun::RequireNumber("TimeBudget", this->TimeBudget);
     gatun::RequireNumber("PixelError", this->PixelError);
-    const gatun::DetailSettings detail = vtkInternals::GetDetail(*this);
     gatun::FrameRequest request;
     const gatun::RayMode mode = *gatun::RayModeOf(this->BlendMode);
     const auto view =
@@ -393,9 +386,9 @@ int vtkGatunRayCaster::RequestData(
     gatun::RayCaster caster(
       view, table, gatun::MakeRayLimits(view, self.ClippingPlanes, self.VolumeMatrix), settings);
     request.Merges = merges;
-    if ((this->TimeBudget > 0 && this->ViewDependent) || detail.IsForRest())
+    if ((this->TimeBudget > 0 && this->ViewDependent) || this->PixelError > 0)
     {
-      request.View = gatun::MakeDetailView(detail, view, table);
+      request.View = gatun::MakeDetailView(this->PixelError, view, table);
     }
     self.Draw(*this, std::move(request), caster, view, progress);
 
@@ -442,7 +435,7 @@ void vtkGatunRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "ViewDependent: " << (this->ViewDependent ? "On" : "Off") << "\n";
-  vtkInternals::GetDetail(*this).Print(os, indent);
+  os << indent << "PixelError: " << this->PixelError << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
   os << indent << "Instructions: " << this->Instructions << "\n";
   os << indent << "FromBothEnds: " << (this->FromBothEnds ? "On" : "Off") << "\n";

@@ -245,35 +245,6 @@ public:
 
   ///@{
   /**
-   * A box, in the coordinates of the mesh, that is not simplified; empty, with a minimum above a
-   * maximum, for none. Default: 1, -1, 1, -1, 1, -1.
-   */
-  vtkSetVector6Macro(DetailBounds, double);
-  vtkGetVector6Macro(DetailBounds, double);
-  ///@}
-
-  ///@{
-  /**
-   * A sphere that is not simplified, in the coordinates of the mesh; with a radius of 0, none.
-   * Defaults: 0, 0, 0 and 0.
-   */
-  vtkSetVector3Macro(DetailCenter, double);
-  vtkGetVector3Macro(DetailCenter, double);
-  vtkSetClampMacro(DetailRadius, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(DetailRadius, double);
-  ///@}
-
-  ///@{
-  /**
-   * Values of the drawn array where the mesh is not simplified: smallest and largest; none if the
-   * first is above the second. Default: 1, -1.
-   */
-  vtkSetVector2Macro(DetailRange, double);
-  vtkGetVector2Macro(DetailRange, double);
-  ///@}
-
-  ///@{
-  /**
    * The most recent instruction set to use, one of InstructionSets. Where the processor does not
    * have it, the next simpler one is used. Images differ by rounding only. For comparison. Default:
    * AVX512_INSTRUCTIONS.
@@ -346,10 +317,6 @@ protected:
   double TimeBudget = 0;
   bool ViewDependent = true;
   double PixelError = 0;
-  double DetailBounds[6] = { 1, -1, 1, -1, 1, -1 };
-  double DetailCenter[3] = { 0, 0, 0 };
-  double DetailRadius = 0;
-  double DetailRange[2] = { 1, -1 };
   int Instructions = AVX512_INSTRUCTIONS;
   bool FromBothEnds = false;
 

@@ -309,7 +309,7 @@ void vtkGatunVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
   os << indent << "ViewDependent: " << (this->ViewDependent ? "On" : "Off") << "\n";
-  vtkInternals::GetDetail(this).Print(os, indent);
+  os << indent << "PixelError: " << this->PixelError << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "ImageProcess: " << this->ImageProcess << "\n";
 }

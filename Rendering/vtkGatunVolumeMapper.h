@@ -249,35 +249,6 @@ public:
 
   ///@{
   /**
-   * A box, in the coordinates of the mesh, that is not simplified; empty, with a minimum above a
-   * maximum, for none. Default: 1, -1, 1, -1, 1, -1.
-   */
-  vtkSetVector6Macro(DetailBounds, double);
-  vtkGetVector6Macro(DetailBounds, double);
-  ///@}
-
-  ///@{
-  /**
-   * A sphere that is not simplified, in the coordinates of the mesh; with a radius of 0, none.
-   * Defaults: 0, 0, 0 and 0.
-   */
-  vtkSetVector3Macro(DetailCenter, double);
-  vtkGetVector3Macro(DetailCenter, double);
-  vtkSetClampMacro(DetailRadius, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(DetailRadius, double);
-  ///@}
-
-  ///@{
-  /**
-   * Values of the drawn array where the mesh is not simplified: smallest and largest; none if the
-   * first is above the second. Default: 1, -1.
-   */
-  vtkSetVector2Macro(DetailRange, double);
-  vtkGetVector2Macro(DetailRange, double);
-  ///@}
-
-  ///@{
-  /**
    * The processes that have parts of the mesh; see above. Null, or a controller with one process:
    * all of the mesh is here. Default: null.
    */
@@ -386,10 +357,6 @@ protected:
   double SimplificationRatio = 0;
   bool ViewDependent = true;
   double PixelError = 0;
-  double DetailBounds[6] = { 1, -1, 1, -1, 1, -1 };
-  double DetailCenter[3] = { 0, 0, 0 };
-  double DetailRadius = 0;
-  double DetailRange[2] = { 1, -1 };
   vtkMultiProcessController* Controller = nullptr;
   int ImageProcess = -1;
 

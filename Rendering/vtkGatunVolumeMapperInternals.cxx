@@ -252,13 +252,6 @@ float vtkGatunVolumeMapper::vtkInternals::ChooseDistance(vtkGatunVolumeMapper* m
 }
 
 //------------------------------------------------------------------------------
-gatun::DetailSettings vtkGatunVolumeMapper::vtkInternals::GetDetail(vtkGatunVolumeMapper* mapper)
-{
-  return { mapper->PixelError, mapper->DetailBounds, mapper->DetailCenter, mapper->DetailRadius,
-    mapper->DetailRange };
-}
-
-//------------------------------------------------------------------------------
 /** What the present image needs. */
 std::shared_ptr<const gatun::DetailView> vtkGatunVolumeMapper::vtkInternals::MakeDetailView(
   vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
@@ -268,7 +261,7 @@ std::shared_ptr<const gatun::DetailView> vtkGatunVolumeMapper::vtkInternals::Mak
   const gatun::RayMode mode = *gatun::RayModeOf(mapper->BlendMode);
   const auto view = gatun::MakeRayView(renderer->GetActiveCamera(),
     gatun::MakeGrid(renderer, Viewport(renderer), 1), mode, mapper->SampleDistance, matrix, true);
-  return gatun::MakeDetailView(GetDetail(mapper), view,
+  return gatun::MakeDetailView(mapper->PixelError, view,
     gatun::MakeRayTable(volume->GetProperty(), mode, this->Scene.GetRange(), view.SampleDistance));
 }
 
@@ -286,7 +279,7 @@ gatun::FrameRequest vtkGatunVolumeMapper::vtkInternals::GetRequest(
   const gatun::PublishedFile* const file = this->FindFile(mapper);
   request.Ratio = mapper->SimplificationRatio;
   request.Merges = file ? file->Merges : 0;
-  if ((request.Budget > 0 && mapper->ViewDependent) || GetDetail(mapper).IsForRest())
+  if ((request.Budget > 0 && mapper->ViewDependent) || mapper->PixelError > 0)
   {
     request.View = this->MakeDetailView(mapper, renderer, volume);
   }

@@ -91,21 +91,6 @@ void AddDetailOptions(CLI::App* command, RenderOptions& options)
     ->add_flag("--uniform", options.Uniform,
       "With --budget, simplify the mesh everywhere alike instead of less near the eye")
     ->group(group);
-  const auto addRegion = [&](const char* name, std::vector<double>& numbers, int count,
-                           const char* text, const char* what)
-  {
-    command->add_option(name, numbers, what)
-      ->delimiter(',')
-      ->expected(count)
-      ->option_text(text)
-      ->group(group);
-  };
-  addRegion("--detail-box", options.DetailBounds, 6, "X0,X1,Y0,Y1,Z0,Z1",
-    "Box that is not simplified, with --pixel-error or --budget");
-  addRegion("--detail-sphere", options.DetailSphere, 4, "X,Y,Z,R",
-    "Sphere that is not simplified, with --pixel-error or --budget");
-  addRegion("--detail-range", options.DetailRange, 2, "LO,HI",
-    "Values where the mesh is not simplified, with --pixel-error or --budget");
 }
 
 void AddCostOptions(CLI::App* command, RenderOptions& options)

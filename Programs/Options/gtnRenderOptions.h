@@ -12,7 +12,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace gtn
 {
@@ -29,9 +28,6 @@ struct RenderOptions : ImageOptions
   // Where the mesh is simplified.
   bool Uniform = false;
   double PixelError = 0;
-  std::vector<double> DetailBounds; ///< 6, or none
-  std::vector<double> DetailSphere; ///< center and radius, or none
-  std::vector<double> DetailRange;  ///< 2, or none
   int Memory = 512;
 };
 

@@ -216,55 +216,6 @@ double vtkGatunVolumeRepresentation::GetPixelError()
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunVolumeRepresentation::SetDetailBounds(
-  double xMin, double xMax, double yMin, double yMax, double zMin, double zMax)
-{
-  this->VolumeMapper->SetDetailBounds(xMin, xMax, yMin, yMax, zMin, zMax);
-}
-
-//------------------------------------------------------------------------------
-double* vtkGatunVolumeRepresentation::GetDetailBounds()
-{
-  return this->VolumeMapper->GetDetailBounds();
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunVolumeRepresentation::SetDetailCenter(double x, double y, double z)
-{
-  this->VolumeMapper->SetDetailCenter(x, y, z);
-}
-
-//------------------------------------------------------------------------------
-double* vtkGatunVolumeRepresentation::GetDetailCenter()
-{
-  return this->VolumeMapper->GetDetailCenter();
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunVolumeRepresentation::SetDetailRadius(double radius)
-{
-  this->VolumeMapper->SetDetailRadius(radius);
-}
-
-//------------------------------------------------------------------------------
-double vtkGatunVolumeRepresentation::GetDetailRadius()
-{
-  return this->VolumeMapper->GetDetailRadius();
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunVolumeRepresentation::SetDetailRange(double least, double most)
-{
-  this->VolumeMapper->SetDetailRange(least, most);
-}
-
-//------------------------------------------------------------------------------
-double* vtkGatunVolumeRepresentation::GetDetailRange()
-{
-  return this->VolumeMapper->GetDetailRange();
-}
-
-//------------------------------------------------------------------------------
 vtkIdType vtkGatunVolumeRepresentation::GetDrawnPoints()
 {
   return this->VolumeMapper->GetNumberOfDrawnPoints();

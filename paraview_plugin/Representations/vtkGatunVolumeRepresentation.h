@@ -137,15 +137,6 @@ public:
   vtkBooleanMacro(ViewDependent, bool);
   void SetPixelError(double pixels);
   double GetPixelError();
-  void SetDetailBounds(
-    double xMin, double xMax, double yMin, double yMax, double zMin, double zMax);
-  double* GetDetailBounds() VTK_SIZEHINT(6);
-  void SetDetailCenter(double x, double y, double z);
-  double* GetDetailCenter() VTK_SIZEHINT(3);
-  void SetDetailRadius(double radius);
-  double GetDetailRadius();
-  void SetDetailRange(double least, double most);
-  double* GetDetailRange() VTK_SIZEHINT(2);
   ///@}
 
   /**
