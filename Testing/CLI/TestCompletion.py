@@ -106,7 +106,7 @@ common = [
 with open("gtn.bash", "w", encoding="ascii") as file:
     file.write("bind 'set enable-bracketed-paste off'\nbind 'set bell-style none'\n")
     file.write(FAKE + gtn("--completion", "bash"))
-commands = {"pack", "unpack", "info", "verify", "mesh", "render", "simplify", "contour", "volume", "bench"}
+commands = {"pack", "unpack", "info", "verify", "mesh", "render", "simplify", "contour", "volume"}
 bash = [
     *common,
     ("gtn " + ALL, commands),
