@@ -1,20 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// gtn render: renders a mesh as a volume, or a surface, into an image, or into the images of a
-// turntable.
+// gtn render: renders a mesh as a volume, or a surface, into an image.
 
 #include "gtnCommands.h"
 #include "gtnFailure.h"
 #include "gtnJson.h"
 #include "gtnProgress.h"
 #include "gtnReaders.h"
+#include "gtnRenderImage.h"
 #include "gtnRenderInput.h"
 #include "gtnRenderOptions.h"
 #include "gtnRenderStatistics.h"
 #include "gtnSurfaceRender.h"
 #include "gtnText.h"
-#include "gtnTurntable.h"
 
 #include "vtkGatunDefaults.h"
 #include "vtkGatunRayCaster.h"
@@ -103,33 +102,25 @@ void SetDetail(const RenderOptions& options, vtkGatunRayCaster* caster)
   caster->SetPixelError(options.PixelError);
 }
 
-/** The automatic opacities are those of lengths, which the largest value along a ray does not have.
- */
-RenderOptions ForMode(RenderOptions options)
-{
-  if (options.BlendMode == vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND &&
-    options.TransferFunction == AutomaticTransfer)
-  {
-    options.TransferFunction = "dusk";
-  }
-  return options;
-}
-
 void Render(const RenderOptions& options, const Settings& settings)
 {
-  CheckImages(options);
+  CheckImage(options);
   std::unique_ptr<const RenderInput> input;
   {
     Progress progress("reading", settings.ShowProgress);
     input = std::make_unique<const RenderInput>(options.Input, progress);
   }
   const ImageContent content{ options.Input.File, input->GetArray(), input->GetRange() };
-  // One image has no next one for which decoded chunks could be kept.
-  const int memory = options.Turntable > 1 ? options.Memory : 0;
+  // There is no next image for which decoded chunks could be kept.
+  constexpr int memory = 0;
   vtkNew<vtkGatunDefaults> defaults;
   input->Connect(defaults, memory);
+  // The largest value along a ray has no length.
+  const auto kind = options.BlendMode == vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND
+    ? OpacityKind::Ramp
+    : OpacityKind::Structure;
   const vtkSmartPointer<vtkVolumeProperty> property =
-    MakeImageProperty(ForMode(options), content, defaults, input->GetBounds());
+    MakeImageProperty(options, content, defaults, input->GetBounds(), kind);
   property->SetShade(options.Shade);
 
   vtkNew<vtkGatunRayCaster> caster;
@@ -150,7 +141,7 @@ void Render(const RenderOptions& options, const Settings& settings)
     input->Draw(caster);
     return caster->GetOutput();
   };
-  const RenderedImages rendered = RenderImages(options, settings,
+  const RenderedImage rendered = RenderImage(options, settings,
     { content, input->GetBounds(), defaults, render, [&] { return StatisticsOf(caster); } });
 
   Json::Value json;
@@ -161,7 +152,7 @@ void Render(const RenderOptions& options, const Settings& settings)
   json["mode"] = NameOfMode(options.BlendMode);
   json["unitDistance"] = property->GetScalarOpacityUnitDistance();
   json["shaded"] = property->GetShade() != 0;
-  PrintImages(options, settings, rendered,
+  PrintImage(options, settings, rendered,
     fmt::format(
       "'{}' of {} tetrahedra", Printable(input->GetArray()), Grouped(input->GetNumberOfTets())),
     json);

@@ -7,7 +7,6 @@
 #include "gtnOptions.h"
 #include "gtnParse.h"
 #include "gtnText.h"
-#include "gtnTransfer.h"
 
 #include "vtkGatunRayCaster.h"
 
@@ -104,13 +103,6 @@ void AddCostOptions(CLI::App* command, RenderOptions& options)
     ->option_text("D")
     ->group(group);
   command
-    ->add_option("--memory", options.Memory,
-      "Memory budget for decoded chunks that are kept for the next image of a turntable, in MiB, "
-      "0 to 1048576 (default: 512)")
-    ->check(CLI::Range(0, 1 << 20))
-    ->option_text("MIB")
-    ->group(group);
-  command
     ->add_option("--ratio", options.Ratio,
       "Fraction of points removed before rendering, 0 to 1 (default: 0). The edge collapses are "
       "read from the hierarchy of a .gtn file (gtn pack --hierarchy), or computed first")
@@ -119,16 +111,14 @@ void AddCostOptions(CLI::App* command, RenderOptions& options)
     ->group(group);
   command
     ->add_option("--budget", options.TimeBudget,
-      "Time budget per image in seconds, once the mesh is loaded; the level of detail is chosen by "
-      "the times of the images before (default: no limit)")
+      "Time budget in seconds, once the mesh is loaded; the level of detail is chosen by typical "
+      "times (default: no limit)")
     ->check(CLI::NonNegativeNumber)
     ->option_text("SECONDS")
     ->group(group);
   AddDetailOptions(command, options);
-  command->add_flag("--stats", options.Statistics, "Print statistics; medians for a turntable")
-    ->group(group);
-  command->add_flag("--json", options.Json, "Print the statistics of each image as JSON")
-    ->group(group);
+  command->add_flag("--stats", options.Statistics, "Print statistics")->group(group);
+  command->add_flag("--json", options.Json, "Print statistics as JSON")->group(group);
 }
 
 } // anonymous namespace
@@ -151,15 +141,13 @@ CLI::App* AddRenderOptions(CLI::App& app, Settings& settings, RenderOptions& opt
     "has\n"
     "float values with premultiplied opacity, and the depth as channel Z. Surfaces are drawn by "
     "OpenGL,\n"
-    "which needs a display, opaque and in the colors of the transfer function.",
+    "which needs a display, opaque.",
     "  gtn render mesh.gtn mesh.png\n"
-    "  gtn render --array pressure --tf heat --background black --size 1920x1080 mesh.gtn "
-    "mesh.png\n"
-    "  gtn render --tf bone --range 0,1500 --opacity 2 --elevation 90 scan.gtn scan.png\n"
-    "  gtn render --turntable 36 mesh.gtn around.png      # around-000.png to around-035.png\n"
-    "  gtn render --mode xray --tf xray --camera view.json mesh.vtu mesh.exr\n"
+    "  gtn render --array pressure --background black --size 1920x1080 mesh.gtn mesh.png\n"
+    "  gtn render --range 0,1500 --opacity 2 --elevation 90 scan.gtn scan.png\n"
+    "  gtn render --mode xray --camera view.json mesh.vtu mesh.exr\n"
     "  gtn render --pixel-error 1 --camera close.json lod.gtn close.png\n"
-    "  gtn render --array curvature --tf heat scan.ply scan.png");
+    "  gtn render --array curvature scan.ply scan.png");
   AddForce(command, options.Overwrite);
   AddImageOptions(command, options);
   AddModeOption(command, options);

@@ -28,7 +28,6 @@ struct RenderOptions : ImageOptions
   // Where the mesh is simplified.
   bool Uniform = false;
   double PixelError = 0;
-  int Memory = 512;
 };
 
 /** Adds the command with all of its options. */
