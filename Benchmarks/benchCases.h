@@ -23,7 +23,6 @@ void AddPieces(CLI::App& app);
 void AddRegion(CLI::App& app);
 void AddSeries(CLI::App& app);
 void AddRender(CLI::App& app);
-void AddInstructions(CLI::App& app);
 void AddPicture(CLI::App& app);
 void AddBudget(CLI::App& app);
 void AddDetail(CLI::App& app);

@@ -30,7 +30,6 @@ int main(int argc, char* argv[])
   bench::AddRegion(app);
   bench::AddSeries(app);
   bench::AddRender(app);
-  bench::AddInstructions(app);
   bench::AddPicture(app);
   bench::AddBudget(app);
   bench::AddDetail(app);

@@ -20,50 +20,18 @@
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkVolumeProperty.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 
 namespace gtn
 {
 namespace
 {
-
-// The caster counts the samples of a ray, from the eye on, in floating-point numbers.
-void RequireFewSamples(const RenderOptions& options, const gatun::Bounds& bounds, vtkCamera* camera)
-{
-  if (options.BlendMode != vtkGatunRayCaster::SAMPLED_BLEND)
-  {
-    return;
-  }
-  const double halfAngle = vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2;
-  const double halfHeight = camera->GetParallelProjection()
-    ? camera->GetParallelScale()
-    : camera->GetDistance() * std::tan(halfAngle);
-  const double distance = options.SampleDistance.value_or(2 * halfHeight / options.Height);
-  double farthest = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    const double eye = camera->GetPosition()[i];
-    farthest =
-      std::hypot(farthest, std::max(std::abs(bounds[i].Min - eye), std::abs(bounds[i].Max - eye)));
-  }
-  constexpr double most = 1 << 23;
-  if (!(farthest / distance < most))
-  {
-    throw Failure(options.Input.File,
-      fmt::format("a sample distance of {:.3g} is too small for a mesh that extends to {:.3g} from "
-                  "the camera; use a larger --sample-distance",
-        distance, farthest));
-  }
-}
 
 Statistics StatisticsOf(vtkGatunRayCaster* caster)
 {
@@ -126,7 +94,6 @@ void Render(const RenderOptions& options, const Settings& settings)
   vtkNew<vtkGatunRayCaster> caster;
   caster->SetSize(options.Width, options.Height);
   caster->SetBlendMode(options.BlendMode);
-  caster->SetSampleDistance(options.SampleDistance.value_or(0));
   caster->SetMemoryBudget(memory);
   caster->SetSimplificationRatio(options.Ratio);
   caster->SetTimeBudget(options.TimeBudget);
@@ -135,7 +102,6 @@ void Render(const RenderOptions& options, const Settings& settings)
   input->Connect(caster, memory);
   const auto render = [&](vtkCamera* camera, Progress& progress)
   {
-    RequireFewSamples(options, input->GetBounds(), camera);
     caster->SetCamera(camera);
     progress.Watch(caster);
     input->Draw(caster);

@@ -62,12 +62,10 @@ void RequireDisplay(const std::string& file)
 /** Throws Failure for options that only concern volumes. */
 void RequireSurfaceOptions(const RenderOptions& options)
 {
-  if (options.BlendMode != 0 || options.SampleDistance || options.UnitDistance ||
-    options.TimeBudget > 0 || options.Uniform)
+  if (options.BlendMode != 0 || options.UnitDistance || options.TimeBudget > 0 || options.Uniform)
   {
     throw Failure(options.Input.File,
-      "is a surface; --mode, --sample-distance, --unit-distance, --budget and --uniform are for "
-      "volumes");
+      "is a surface; --mode, --unit-distance, --budget and --uniform are for volumes");
   }
   if (options.PixelError > 0 && ExtensionOf(options.Input.File) != ".gtn")
   {

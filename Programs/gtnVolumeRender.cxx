@@ -41,7 +41,6 @@ static_assert(vtkGatunHartleyProjection::OPACITY_MODEL_XRAY == 0 &&
   vtkGatunHartleyProjection::OPACITY_MODEL_EXPONENTIAL == 1 &&
   vtkGatunHartleyProjection::OPACITY_MODEL_TRANSFER_FUNCTION == 2);
 constexpr std::array<const char*, 4> Methods{ "automatic", "basis", "slice", "voxels" };
-constexpr std::array<const char*, 2> Kernels{ "kaiser-bessel", "trilinear" };
 
 struct VolumeRenderOptions : ImageOptions
 {
@@ -53,8 +52,6 @@ struct VolumeRenderOptions : ImageOptions
   std::optional<gatun::Range> Window;
   double SampleDistance = 0;
   int Method = 0;
-  int Kernel = 0;
-  double Padding = 2;
   int Memory = 512;
 };
 
@@ -85,8 +82,6 @@ void SetUp(vtkGatunHartleyProjection* projection, const VolumeRenderOptions& opt
   }
   projection->SetSampleDistance(options.SampleDistance);
   projection->SetMethod(options.Method);
-  projection->SetKernel(options.Kernel);
-  projection->SetPadding(options.Padding);
   projection->SetMemoryBudget(options.Memory);
   projection->OutputFloatsOn();
   if (options.OpacityModel != vtkGatunHartleyProjection::OPACITY_MODEL_XRAY)
@@ -221,16 +216,6 @@ void AddMethodOptions(CLI::App* command, VolumeRenderOptions& options)
     "through their spectra (slice) or as sums of the voxels next to each ray (voxels); automatic: "
     "X-rays by the spectrum of the whole volume, otherwise voxels for blocks of up to 64 voxels",
     group);
-  AddChoice(command, "--kernel", Kernels, options.Kernel,
-    "For slice: interpolation by kaiser-bessel (the default), nearly exact, or trilinear, for "
-    "comparison",
-    group);
-  command
-    ->add_option("--padding", options.Padding,
-      "For slice: size of a zero-padded block relative to the block, 1 to 8")
-    ->check(Between(1, 8))
-    ->option_text("F [2]")
-    ->group(group);
   command->add_option("--memory", options.Memory, "MiB for coefficients and spectra, 0 to 1048576")
     ->check(CLI::Range(0, 1 << 20))
     ->option_text("MIB [512]")

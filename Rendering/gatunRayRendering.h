@@ -54,13 +54,12 @@ struct RayEye
 RayEye MakeRayEye(vtkCamera* camera, const RayGrid& grid, vtkMatrix4x4* volumeMatrix);
 
 /**
- * The rays of a camera, that of its left or right eye if it is in stereo. SampleDistance: in world
- * units; 0 for the size of a pixel at the focal point; only in mode Sampled. VolumeMatrix: null, or
+ * The rays of a camera, that of its left or right eye if it is in stereo. VolumeMatrix: null, or
  * what brings the mesh into the world. ClippingRange: whether what is out of the camera's is left
  * out.
  */
-RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, RayMode mode, double sampleDistance,
-  vtkMatrix4x4* volumeMatrix, bool clippingRange);
+RayView MakeRayView(
+  vtkCamera* camera, const RayGrid& grid, vtkMatrix4x4* volumeMatrix, bool clippingRange);
 
 /** Throws Error(InvalidInput) if a property is NaN, which clamping lets through. */
 void RequireNumber(const char* property, double value);
@@ -70,7 +69,6 @@ enum BlendMode
 {
   CompositeBlend = 0,
   MaximumIntensityBlend = 1,
-  SampledBlend = 100,
   XRayBlend = 101
 };
 

@@ -43,14 +43,7 @@ vtkStandardNewMacro(vtkGatunRayCaster);
 // One numbering for all classes that draw.
 static_assert(int{ vtkGatunRayCaster::COMPOSITE_BLEND } == gatun::CompositeBlend);
 static_assert(int{ vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND } == gatun::MaximumIntensityBlend);
-static_assert(int{ vtkGatunRayCaster::SAMPLED_BLEND } == gatun::SampledBlend);
 static_assert(int{ vtkGatunRayCaster::XRAY_BLEND } == gatun::XRayBlend);
-static_assert(int{ vtkGatunRayCaster::PORTABLE_INSTRUCTIONS } ==
-  static_cast<int>(gatun::RayInstructions::Portable));
-static_assert(
-  int{ vtkGatunRayCaster::AVX2_INSTRUCTIONS } == static_cast<int>(gatun::RayInstructions::AVX2));
-static_assert(int{ vtkGatunRayCaster::AVX512_INSTRUCTIONS } ==
-  static_cast<int>(gatun::RayInstructions::AVX512));
 
 //------------------------------------------------------------------------------
 class vtkGatunRayCaster::vtkPipeline : public gatun::ImagePipeline
@@ -347,9 +340,8 @@ int vtkGatunRayCaster::RequestData(
     gatun::RequireNumber("PixelError", this->PixelError);
     gatun::FrameRequest request;
     const gatun::RayMode mode = *gatun::RayModeOf(this->BlendMode);
-    const auto view =
-      gatun::MakeRayView(self.Camera, gatun::RayGrid{ this->Size[0], this->Size[1] }, mode,
-        this->SampleDistance, self.VolumeMatrix, false);
+    const auto view = gatun::MakeRayView(
+      self.Camera, gatun::RayGrid{ this->Size[0], this->Size[1] }, self.VolumeMatrix, false);
     const gatun::RayArray array{ this->ArrayName ? this->ArrayName : "", this->ArrayAssociation,
       this->ArrayComponent, {} };
     const std::size_t merges = file ? file->Merges : 0;
@@ -379,8 +371,6 @@ int vtkGatunRayCaster::RequestData(
     settings.Opaque = static_cast<float>(this->OpacityLimit);
     settings.Shading =
       gatun::MakeRayShading(self.Property, self.Camera, nullptr, self.VolumeMatrix);
-    settings.FromBothEnds = this->FromBothEnds;
-    settings.Instructions = static_cast<gatun::RayInstructions>(this->Instructions);
     const auto table =
       gatun::MakeRayTable(self.Property, mode, self.Scene.GetRange(), view.SampleDistance);
     gatun::RayCaster caster(
@@ -427,7 +417,6 @@ void vtkGatunRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VolumeMatrix: " << this->Internals->VolumeMatrix.Get() << "\n";
   os << indent << "ClippingPlanes: " << this->Internals->ClippingPlanes.Get() << "\n";
   os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
-  os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "ArrayName: " << (this->ArrayName ? this->ArrayName : "(none)") << "\n";
   os << indent << "ArrayAssociation: " << this->ArrayAssociation << "\n";
   os << indent << "ArrayComponent: " << this->ArrayComponent << "\n";
@@ -437,8 +426,6 @@ void vtkGatunRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ViewDependent: " << (this->ViewDependent ? "On" : "Off") << "\n";
   os << indent << "PixelError: " << this->PixelError << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
-  os << indent << "Instructions: " << this->Instructions << "\n";
-  os << indent << "FromBothEnds: " << (this->FromBothEnds ? "On" : "Off") << "\n";
 }
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -259,8 +259,8 @@ std::shared_ptr<const gatun::DetailView> vtkGatunVolumeMapper::vtkInternals::Mak
   vtkNew<vtkMatrix4x4> matrix;
   volume->GetMatrix(matrix);
   const gatun::RayMode mode = *gatun::RayModeOf(mapper->BlendMode);
-  const auto view = gatun::MakeRayView(renderer->GetActiveCamera(),
-    gatun::MakeGrid(renderer, Viewport(renderer), 1), mode, mapper->SampleDistance, matrix, true);
+  const auto view = gatun::MakeRayView(
+    renderer->GetActiveCamera(), gatun::MakeGrid(renderer, Viewport(renderer), 1), matrix, true);
   return gatun::MakeDetailView(mapper->PixelError, view,
     gatun::MakeRayTable(volume->GetProperty(), mode, this->Scene.GetRange(), view.SampleDistance));
 }
@@ -333,8 +333,7 @@ gatun::RayStatistics vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapp
   vtkCamera* const camera = renderer->GetActiveCamera();
   vtkNew<vtkMatrix4x4> matrix;
   volume->GetMatrix(matrix);
-  const auto view = gatun::MakeRayView(
-    camera, grid, *gatun::RayModeOf(mapper->BlendMode), mapper->SampleDistance, matrix, true);
+  const auto view = gatun::MakeRayView(camera, grid, matrix, true);
   ImageSetup setup = this->MakeSetup(mapper, renderer, volume, view, this->Scene.GetRange());
   if (mapper->IntermixIntersectingGeometry && renderer->GetNumberOfPropsRendered() > 0)
   {

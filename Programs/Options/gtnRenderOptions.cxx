@@ -29,8 +29,7 @@ struct NamedMode
   int BlendMode;
 };
 
-constexpr std::array<NamedMode, 4> Modes{ { { "composite", vtkGatunRayCaster::COMPOSITE_BLEND },
-  { "sampled", vtkGatunRayCaster::SAMPLED_BLEND },
+constexpr std::array<NamedMode, 3> Modes{ { { "composite", vtkGatunRayCaster::COMPOSITE_BLEND },
   { "mip", vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND },
   { "xray", vtkGatunRayCaster::XRAY_BLEND } } };
 
@@ -59,24 +58,22 @@ void AddModeOption(CLI::App* command, RenderOptions& options)
             return name == mode.Name;
           })->BlendMode;
       },
-      "Blend mode: composite (exact integral, front to back), sampled (the same by samples, for "
-      "comparison), mip (maximum intensity) or xray (sum of opacities) (default: composite)")
-    ->check(CLI::IsMember({ "composite", "sampled", "mip", "xray" }))
+      "Blend mode: composite (exact integral, front to back), mip (maximum intensity) or xray (sum "
+      "of opacities) (default: composite)")
+    ->check(CLI::IsMember({ "composite", "mip", "xray" }))
     ->option_text("NAME")
     ->group("Image");
 }
 
 void AddShadeOption(CLI::App* command, RenderOptions& options)
 {
-  command
-    ->add_flag(
-      "--shade", options.Shade, "Shade isosurfaces by a headlight (modes composite and sampled)")
+  command->add_flag("--shade", options.Shade, "Shade isosurfaces by a headlight (mode composite)")
     ->group("Colors and opacities");
 }
 
 void AddDetailOptions(CLI::App* command, RenderOptions& options)
 {
-  const char* const group = "Sampling and cost";
+  const char* const group = "Cost";
   command
     ->add_option("--pixel-error", options.PixelError,
       "Largest error in pixels, 0 to 1e6, of the shape and, relative to their range, of the "
@@ -94,14 +91,7 @@ void AddDetailOptions(CLI::App* command, RenderOptions& options)
 
 void AddCostOptions(CLI::App* command, RenderOptions& options)
 {
-  const char* const group = "Sampling and cost";
-  command
-    ->add_option("--sample-distance", options.SampleDistance,
-      "Distance between samples along a ray in mode sampled, above 0, in units of the coordinates "
-      "(default: the width of a pixel at the center of the mesh)")
-    ->check(Positive())
-    ->option_text("D")
-    ->group(group);
+  const char* const group = "Cost";
   command
     ->add_option("--ratio", options.Ratio,
       "Fraction of points removed before rendering, 0 to 1 (default: 0). The edge collapses are "

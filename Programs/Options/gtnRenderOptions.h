@@ -10,7 +10,6 @@
 #include "gtnRenderInput.h"
 #include "gtnSettings.h"
 
-#include <optional>
 #include <string>
 
 namespace gtn
@@ -21,7 +20,6 @@ struct RenderOptions : ImageOptions
   bool Shade = false;
 
   int BlendMode = 0; ///< of vtkGatunRayCaster::BlendModes
-  std::optional<double> SampleDistance;
   double Ratio = 0;
   double TimeBudget = 0;
 

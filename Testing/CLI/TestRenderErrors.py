@@ -30,7 +30,6 @@ def fails(*arguments, code=1, says=None, mesh="mesh.gtn", out="new.png"):
 for size in ("0x5", "5x0", "40000x1", "-4x4", "4", "4x", "4x4x4", "axb", "4.5x4"):
     fails("--size", size, code=2, says=f"--size: '{size}' is not WxH with 1 to 32000 pixels")
 for option, value in (
-    ("--sample-distance", "-1"), ("--sample-distance", "0"), ("--sample-distance", "nan"),
     ("--unit-distance", "0"), ("--unit-distance", "inf"), ("--opacity", "-1"), ("--zoom", "0"),
     ("--azimuth", "nan"), ("--elevation", "181"), ("--roll", "1e9"),
     ("--mode", "surface"), ("--component", "-1"),
@@ -46,7 +45,6 @@ for mesh in ("mesh.gtn", "mesh.vtu"):
     fails("--array", "heat", says=f"gtn: {mesh}: {there}", mesh=mesh)
     fails("--array", "velocity", "--component", 3, says="numbered 0 to 2", mesh=mesh)
     fails("--time", 1, says="has no time steps", mesh=mesh)
-    fails("--mode", "sampled", "--sample-distance", 1e-9, says="use a larger --sample-distance", mesh=mesh)
 fails(says="gtn: missing.gtn: no such file", mesh="missing.gtn")
 with open("mesh.json", "w") as file:
     file.write("{}")

@@ -102,18 +102,6 @@ vtkGatunVolumeRepresentation::vtkGatunVolumeRepresentation()
 vtkGatunVolumeRepresentation::~vtkGatunVolumeRepresentation() = default;
 
 //------------------------------------------------------------------------------
-void vtkGatunVolumeRepresentation::SetSampleDistance(double distance)
-{
-  this->VolumeMapper->SetSampleDistance(distance);
-}
-
-//------------------------------------------------------------------------------
-double vtkGatunVolumeRepresentation::GetSampleDistance()
-{
-  return this->VolumeMapper->GetSampleDistance();
-}
-
-//------------------------------------------------------------------------------
 void vtkGatunVolumeRepresentation::SetBlendMode(int mode)
 {
   this->VolumeMapper->SetBlendMode(mode);
