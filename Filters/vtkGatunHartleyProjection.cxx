@@ -188,12 +188,9 @@ void vtkGatunHartleyProjection::vtkInternals::MakeProjector(const vtkGatunHartle
 {
   gatun::HartleyOptions options;
   options.Method = static_cast<gatun::HartleyMethod>(self->Method);
-  options.Kernel = static_cast<gatun::HartleyKernel>(self->Kernel);
-  options.Padding = self->Padding;
   options.CacheBytes = static_cast<std::uint64_t>(self->MemoryBudget) << 20;
   const gatun::HartleyOptions& old = this->Options;
-  if (!this->Projector || options.Method != old.Method || options.Kernel != old.Kernel ||
-    options.Padding != old.Padding || options.CacheBytes != old.CacheBytes)
+  if (!this->Projector || options.Method != old.Method || options.CacheBytes != old.CacheBytes)
   {
     this->Projector.reset();
     this->Projector = std::make_unique<gatun::HartleyProjector>(this->Source, options);
@@ -535,7 +532,6 @@ void vtkGatunHartleyProjection::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   const char* const models[] = { "XRay", "Exponential", "TransferFunction" };
   const char* const methods[] = { "Automatic", "Basis", "Slice", "Voxels" };
-  const char* const kernels[] = { "KaiserBessel", "Trilinear" };
   const auto onOff = [](bool value) { return value ? "On" : "Off"; };
   const auto print = [&os, indent](const char* name, const auto& value)
   { os << indent << name << ": " << value << "\n"; };
@@ -568,8 +564,6 @@ void vtkGatunHartleyProjection::PrintSelf(ostream& os, vtkIndent indent)
   print("OutputFloats", onOff(this->OutputFloats));
   print("SampleDistance", this->SampleDistance);
   print("Method", methods[this->Method]);
-  print("Kernel", kernels[this->Kernel]);
-  print("Padding", this->Padding);
   print("MemoryBudget", this->MemoryBudget);
   printVector("VolumeCenter", this->VolumeCenter);
   print("FittingParallelScale", this->FittingParallelScale);

@@ -290,31 +290,6 @@ public:
   vtkGetMacro(Method, int);
   ///@}
 
-  /**
-   * Interpolation of spectra by METHOD_SLICE.
-   */
-  enum KernelType
-  {
-    KERNEL_KAISER_BESSEL = 0, ///< nearly exact
-    KERNEL_TRILINEAR = 1      ///< as in Yang's dissertation, for comparison
-  };
-
-  ///@{
-  /**
-   * See KernelType. Default: KERNEL_KAISER_BESSEL.
-   */
-  vtkSetClampMacro(Kernel, int, KERNEL_KAISER_BESSEL, KERNEL_TRILINEAR);
-  vtkGetMacro(Kernel, int);
-  ///@}
-
-  ///@{
-  /**
-   * Size of a zero-padded block relative to the block, for METHOD_SLICE: 1 to 8. Default: 2.
-   */
-  vtkSetClampMacro(Padding, double, 1, 8);
-  vtkGetMacro(Padding, double);
-  ///@}
-
   ///@{
   /**
    * Upper bound of the memory that is kept from one image to the next, in MiB. It holds
@@ -411,8 +386,6 @@ protected:
   bool OutputFloats = false;
   double SampleDistance = 0;
   int Method = METHOD_AUTOMATIC;
-  int Kernel = KERNEL_KAISER_BESSEL;
-  double Padding = 2;
   int MemoryBudget = 512;
   double VolumeCenter[3] = { 0, 0, 0 };
   double FittingParallelScale = 0;

@@ -114,7 +114,6 @@ int Run(int argc, char* argv[])
   AddSimplify(app, settings);
   AddContour(app, settings);
   AddVolume(app, settings);
-  AddBench(app, settings);
 
   try
   {

@@ -12,7 +12,6 @@
 
 namespace gtn
 {
-void AddBench(CLI::App& app, Settings& settings);
 void AddContour(CLI::App& app, Settings& settings);
 void AddInfo(CLI::App& app, Settings& settings);
 void AddMesh(CLI::App& app, Settings& settings);

@@ -8,7 +8,6 @@
 #include "gtnFailure.h"
 #include "gtnHelp.h"
 #include "gtnText.h"
-#include "gtnTransfer.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -56,8 +55,7 @@ bool IsWord(const std::string& text)
     std::all_of(text.begin(), text.end(), [](char c) { return std::islower(c) || c == '-'; });
 }
 
-/** From the check of an option, "{none,points}", and from its text, "N|whole [8]" or "PRESET|FILE".
- */
+/** From the check of an option, "{none,points}", and from its text, "N|whole [8]". */
 Value ValueOf(const CLI::Option& option)
 {
   Value value;
@@ -72,12 +70,7 @@ Value ValueOf(const CLI::Option& option)
   const std::string& text = option.get_option_text();
   for (const std::string& part : SplitAt(text.substr(0, text.find(' ')), '|'))
   {
-    if (part == "PRESET")
-    {
-      const std::vector<std::string> presets = GetPresetNames();
-      value.Words.insert(value.Words.end(), presets.begin(), presets.end());
-    }
-    else if (IsWord(part))
+    if (IsWord(part))
     {
       value.Words.push_back(part);
     }

@@ -1,70 +1,37 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// gtn render: renders a mesh as a volume, or a surface, into an image, or into the images of a
-// turntable.
+// gtn render: renders a mesh as a volume, or a surface, into an image.
 
 #include "gtnCommands.h"
 #include "gtnFailure.h"
 #include "gtnJson.h"
 #include "gtnProgress.h"
 #include "gtnReaders.h"
+#include "gtnRenderImage.h"
 #include "gtnRenderInput.h"
 #include "gtnRenderOptions.h"
 #include "gtnRenderStatistics.h"
 #include "gtnSurfaceRender.h"
 #include "gtnText.h"
-#include "gtnTurntable.h"
 
 #include "vtkGatunDefaults.h"
 #include "vtkGatunRayCaster.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkVolumeProperty.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 
 namespace gtn
 {
 namespace
 {
-
-// The caster counts the samples of a ray, from the eye on, in floating-point numbers.
-void RequireFewSamples(const RenderOptions& options, const gatun::Bounds& bounds, vtkCamera* camera)
-{
-  if (options.BlendMode != vtkGatunRayCaster::SAMPLED_BLEND)
-  {
-    return;
-  }
-  const double halfAngle = vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2;
-  const double halfHeight = camera->GetParallelProjection()
-    ? camera->GetParallelScale()
-    : camera->GetDistance() * std::tan(halfAngle);
-  const double distance = options.SampleDistance.value_or(2 * halfHeight / options.Height);
-  double farthest = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    const double eye = camera->GetPosition()[i];
-    farthest =
-      std::hypot(farthest, std::max(std::abs(bounds[i].Min - eye), std::abs(bounds[i].Max - eye)));
-  }
-  constexpr double most = 1 << 23;
-  if (!(farthest / distance < most))
-  {
-    throw Failure(options.Input.File,
-      fmt::format("a sample distance of {:.3g} is too small for a mesh that extends to {:.3g} from "
-                  "the camera; use a larger --sample-distance",
-        distance, farthest));
-  }
-}
 
 Statistics StatisticsOf(vtkGatunRayCaster* caster)
 {
@@ -101,54 +68,32 @@ void SetDetail(const RenderOptions& options, vtkGatunRayCaster* caster)
 {
   caster->SetViewDependent(!options.Uniform);
   caster->SetPixelError(options.PixelError);
-  if (!options.DetailBounds.empty())
-  {
-    caster->SetDetailBounds(options.DetailBounds.data());
-  }
-  if (!options.DetailSphere.empty())
-  {
-    caster->SetDetailCenter(options.DetailSphere.data());
-    caster->SetDetailRadius(options.DetailSphere[3]);
-  }
-  if (!options.DetailRange.empty())
-  {
-    caster->SetDetailRange(options.DetailRange.data());
-  }
-}
-
-/** The automatic opacities are those of lengths, which the largest value along a ray does not have.
- */
-RenderOptions ForMode(RenderOptions options)
-{
-  if (options.BlendMode == vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND &&
-    options.TransferFunction == AutomaticTransfer)
-  {
-    options.TransferFunction = "dusk";
-  }
-  return options;
 }
 
 void Render(const RenderOptions& options, const Settings& settings)
 {
-  CheckImages(options);
+  CheckImage(options);
   std::unique_ptr<const RenderInput> input;
   {
     Progress progress("reading", settings.ShowProgress);
     input = std::make_unique<const RenderInput>(options.Input, progress);
   }
   const ImageContent content{ options.Input.File, input->GetArray(), input->GetRange() };
-  // One image has no next one for which decoded chunks could be kept.
-  const int memory = options.Turntable > 1 ? options.Memory : 0;
+  // There is no next image for which decoded chunks could be kept.
+  constexpr int memory = 0;
   vtkNew<vtkGatunDefaults> defaults;
   input->Connect(defaults, memory);
+  // The largest value along a ray has no length.
+  const auto kind = options.BlendMode == vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND
+    ? OpacityKind::Ramp
+    : OpacityKind::Structure;
   const vtkSmartPointer<vtkVolumeProperty> property =
-    MakeImageProperty(ForMode(options), content, defaults, input->GetBounds());
+    MakeImageProperty(options, content, defaults, input->GetBounds(), kind);
   property->SetShade(options.Shade);
 
   vtkNew<vtkGatunRayCaster> caster;
   caster->SetSize(options.Width, options.Height);
   caster->SetBlendMode(options.BlendMode);
-  caster->SetSampleDistance(options.SampleDistance.value_or(0));
   caster->SetMemoryBudget(memory);
   caster->SetSimplificationRatio(options.Ratio);
   caster->SetTimeBudget(options.TimeBudget);
@@ -157,13 +102,12 @@ void Render(const RenderOptions& options, const Settings& settings)
   input->Connect(caster, memory);
   const auto render = [&](vtkCamera* camera, Progress& progress)
   {
-    RequireFewSamples(options, input->GetBounds(), camera);
     caster->SetCamera(camera);
     progress.Watch(caster);
     input->Draw(caster);
     return caster->GetOutput();
   };
-  const RenderedImages rendered = RenderImages(options, settings,
+  const RenderedImage rendered = RenderImage(options, settings,
     { content, input->GetBounds(), defaults, render, [&] { return StatisticsOf(caster); } });
 
   Json::Value json;
@@ -174,7 +118,7 @@ void Render(const RenderOptions& options, const Settings& settings)
   json["mode"] = NameOfMode(options.BlendMode);
   json["unitDistance"] = property->GetScalarOpacityUnitDistance();
   json["shaded"] = property->GetShade() != 0;
-  PrintImages(options, settings, rendered,
+  PrintImage(options, settings, rendered,
     fmt::format(
       "'{}' of {} tetrahedra", Printable(input->GetArray()), Grouped(input->GetNumberOfTets())),
     json);

@@ -10,10 +10,9 @@
 #include "gtnJson.h"
 #include "gtnProgress.h"
 #include "gtnReadable.h"
+#include "gtnRenderImage.h"
 #include "gtnStep.h"
 #include "gtnText.h"
-#include "gtnTransfer.h"
-#include "gtnTurntable.h"
 
 #include "gatunFileReader.h"
 #include "vtkGatunDefaults.h"
@@ -63,14 +62,10 @@ void RequireDisplay(const std::string& file)
 /** Throws Failure for options that only concern volumes. */
 void RequireSurfaceOptions(const RenderOptions& options)
 {
-  if (options.BlendMode != 0 || options.SampleDistance || options.UnitDistance ||
-    options.TimeBudget > 0 || options.Uniform || !options.DetailBounds.empty() ||
-    !options.DetailSphere.empty() || !options.DetailRange.empty())
+  if (options.BlendMode != 0 || options.UnitDistance || options.TimeBudget > 0 || options.Uniform)
   {
     throw Failure(options.Input.File,
-      "is a surface; --mode, --sample-distance, --unit-distance, --budget, --uniform and regions "
-      "of "
-      "detail are for volumes");
+      "is a surface; --mode, --unit-distance, --budget and --uniform are for volumes");
   }
   if (options.PixelError > 0 && ExtensionOf(options.Input.File) != ".gtn")
   {
@@ -82,11 +77,11 @@ void RequireSurfaceOptions(const RenderOptions& options)
 class SurfaceInput
 {
 public:
-  SurfaceInput(const RenderInputOptions& options, int memory, Progress& progress)
+  SurfaceInput(const RenderInputOptions& options, Progress& progress)
   {
     if (ExtensionOf(options.File) == ".gtn")
     {
-      this->Open(options, memory);
+      this->Open(options);
     }
     else
     {
@@ -127,7 +122,7 @@ public:
 
 private:
   /** Leaves the surface in its file. */
-  void Open(const RenderInputOptions& options, int memory)
+  void Open(const RenderInputOptions& options)
   {
     CheckReadable(options.File);
     const FileSteps::Place place = OpenStep(options.File, options.Step, options.Quiet);
@@ -141,7 +136,6 @@ private:
     this->Reader = vtkSmartPointer<vtkGatunSurfaceReader>::New();
     this->Reader->SetFileName(options.File.c_str());
     this->Reader->SetOnDemand(vtkGatunSurfaceReader::ON_DEMAND_ALWAYS);
-    this->Reader->SetMemoryBudget(memory);
     if (place.Time)
     {
       this->Reader->UpdateTimeStep(*place.Time);
@@ -204,13 +198,9 @@ void SetColors(
     return;
   }
   const ImageContent content{ options.Input.File, input.GetArray()->Name, input.GetRange() };
-  ImageOptions look = options;
-  if (look.TransferFunction == AutomaticTransfer)
-  {
-    look.TransferFunction = "dusk"; // a surface has no opacities
-  }
-  const vtkSmartPointer<vtkVolumeProperty> property = MakeProperty(MakeTransfer(look, content), 1);
-  SaveTransfer(options, property);
+  // A surface has no opacities.
+  const vtkSmartPointer<vtkVolumeProperty> property =
+    MakeImageProperty(options, content, nullptr, input.GetBounds(), OpacityKind::Ramp);
   vtkColorTransferFunction* const colors = property->GetRGBTransferFunction();
   if (input.GetComponent() < 0)
   {
@@ -268,20 +258,19 @@ Statistics StatisticsOf(vtkGatunSurfaceMapper* mapper)
 //------------------------------------------------------------------------------
 void RenderSurface(const RenderOptions& options, const Settings& settings)
 {
-  CheckImages(options);
+  CheckImage(options);
   RequireSurfaceOptions(options);
   RequireDisplay(options.Input.File);
   std::unique_ptr<const SurfaceInput> input;
   {
     Progress progress("reading", settings.ShowProgress);
-    input = std::make_unique<const SurfaceInput>(options.Input, options.Memory, progress);
+    input = std::make_unique<const SurfaceInput>(options.Input, progress);
   }
   vtkNew<vtkGatunSurfaceMapper> mapper;
   input->Connect(mapper.Get());
   vtkNew<vtkGatunDefaults> defaults;
   input->Connect(defaults.Get());
   SetColors(mapper, *input, options);
-  mapper->SetMemoryBudget(options.Memory);
   mapper->SetSimplificationRatio(options.Ratio);
   mapper->SetPixelError(options.PixelError);
   vtkNew<vtkActor> actor;
@@ -311,7 +300,7 @@ void RenderSurface(const RenderOptions& options, const Settings& settings)
     return pixels.Get();
   };
   const std::string array = input->GetArray() ? input->GetArray()->Name : std::string();
-  const RenderedImages rendered = RenderImages(options, settings,
+  const RenderedImage rendered = RenderImage(options, settings,
     { { options.Input.File, array, input->GetRange() }, input->GetBounds(), defaults, render,
       [&] { return StatisticsOf(mapper); } });
 
@@ -320,7 +309,7 @@ void RenderSurface(const RenderOptions& options, const Settings& settings)
   json["cells"] = Json::UInt64{ input->GetNumberOfCells() };
   json["array"] = array;
   json["component"] = input->GetComponent();
-  PrintImages(options, settings, rendered,
+  PrintImage(options, settings, rendered,
     fmt::format("a surface of {} cells", Grouped(input->GetNumberOfCells())), json);
 }
 }

@@ -9,8 +9,8 @@
 #include "gtnOptions.h"
 #include "gtnParse.h"
 #include "gtnProgress.h"
+#include "gtnRenderImage.h"
 #include "gtnText.h"
-#include "gtnTurntable.h"
 #include "gtnVolume.h"
 #include "gtnVolumeOptions.h"
 #include "gtnVolumeSource.h"
@@ -41,7 +41,6 @@ static_assert(vtkGatunHartleyProjection::OPACITY_MODEL_XRAY == 0 &&
   vtkGatunHartleyProjection::OPACITY_MODEL_EXPONENTIAL == 1 &&
   vtkGatunHartleyProjection::OPACITY_MODEL_TRANSFER_FUNCTION == 2);
 constexpr std::array<const char*, 4> Methods{ "automatic", "basis", "slice", "voxels" };
-constexpr std::array<const char*, 2> Kernels{ "kaiser-bessel", "trilinear" };
 
 struct VolumeRenderOptions : ImageOptions
 {
@@ -53,8 +52,6 @@ struct VolumeRenderOptions : ImageOptions
   std::optional<gatun::Range> Window;
   double SampleDistance = 0;
   int Method = 0;
-  int Kernel = 0;
-  double Padding = 2;
   int Memory = 512;
 };
 
@@ -85,15 +82,13 @@ void SetUp(vtkGatunHartleyProjection* projection, const VolumeRenderOptions& opt
   }
   projection->SetSampleDistance(options.SampleDistance);
   projection->SetMethod(options.Method);
-  projection->SetKernel(options.Kernel);
-  projection->SetPadding(options.Padding);
   projection->SetMemoryBudget(options.Memory);
   projection->OutputFloatsOn();
   if (options.OpacityModel != vtkGatunHartleyProjection::OPACITY_MODEL_XRAY)
   {
     vtkGatunHartleyView::SetProperty(projection,
       MakeImageProperty(options, { source.GetFile(), source.GetArray(), source.GetRange() },
-        defaults, source.GetBounds()));
+        defaults, source.GetBounds(), OpacityKind::Structure));
   }
 }
 
@@ -119,7 +114,7 @@ void Connect(vtkGatunHartleyProjection* projection, vtkGatunHartleyEncoder* enco
 void Render(const VolumeRenderOptions& options, const Settings& settings)
 {
   Check(options);
-  CheckImages(options);
+  CheckImage(options);
   const VolumeSource source(options.Input, settings);
   vtkNew<vtkGatunHartleyProjection> projection;
   vtkNew<vtkGatunDefaults> defaults;
@@ -141,7 +136,7 @@ void Render(const VolumeRenderOptions& options, const Settings& settings)
       { "terms", "coefficients summed", Statistic::Count,
         static_cast<double>(projection->GetNumberOfCoefficients()) } };
   };
-  const RenderedImages rendered = RenderImages(options, settings,
+  const RenderedImage rendered = RenderImage(options, settings,
     { { source.GetFile(), source.GetArray(), source.GetRange() }, source.GetBounds(), defaults,
       render, getStatistics });
 
@@ -152,7 +147,7 @@ void Render(const VolumeRenderOptions& options, const Settings& settings)
   json["array"] = source.GetArray();
   json["opacityModel"] = OpacityModels.at(static_cast<std::size_t>(options.OpacityModel));
   json["method"] = method;
-  PrintImages(options, settings, rendered,
+  PrintImage(options, settings, rendered,
     fmt::format("'{}' of {} voxels, method {}", Printable(source.GetArray()),
       SizeOf(source.GetSize()), method),
     json);
@@ -221,28 +216,12 @@ void AddMethodOptions(CLI::App* command, VolumeRenderOptions& options)
     "through their spectra (slice) or as sums of the voxels next to each ray (voxels); automatic: "
     "X-rays by the spectrum of the whole volume, otherwise voxels for blocks of up to 64 voxels",
     group);
-  AddChoice(command, "--kernel", Kernels, options.Kernel,
-    "For slice: interpolation by kaiser-bessel (the default), nearly exact, or trilinear, for "
-    "comparison",
-    group);
-  command
-    ->add_option("--padding", options.Padding,
-      "For slice: size of a zero-padded block relative to the block, 1 to 8")
-    ->check(Between(1, 8))
-    ->option_text("F [2]")
-    ->group(group);
-  command
-    ->add_option("--memory", options.Memory,
-      "MiB of coefficients or spectra to keep from image to image, 0 to 1048576")
+  command->add_option("--memory", options.Memory, "MiB for coefficients and spectra, 0 to 1048576")
     ->check(CLI::Range(0, 1 << 20))
     ->option_text("MIB [512]")
     ->group(group);
-  command
-    ->add_flag(
-      "--stats", options.Statistics, "Print statistics; of a turntable, those of the last image")
-    ->group(group);
-  command->add_flag("--json", options.Json, "Print the statistics of each image as JSON")
-    ->group(group);
+  command->add_flag("--stats", options.Statistics, "Print statistics")->group(group);
+  command->add_flag("--json", options.Json, "Print statistics as JSON")->group(group);
 }
 
 void AddRotation(CLI::App* command, CameraOptions& camera)
@@ -280,12 +259,10 @@ void AddVolumeRender(CLI::App& app, Settings& settings)
     "Draw a volume from its Hartley coefficients into a .png or .exr file. A .ghv file is drawn\n"
     "chunk by chunk; other volumes are compressed in memory first. The projection is parallel.",
     "  gtn volume render head.ghv head.png\n"
-    "  gtn volume render --tf bone --range 0,1500 --elevation 10 --background black head.ghv "
-    "a.png\n"
+    "  gtn volume render --range 0,1500 --elevation 10 --background black head.ghv a.png\n"
     "  gtn volume render --opacity-model xray --rotate 0.25,0.25,0.25 --size 512x512 head.ghv "
     "xray.png\n"
-    "  gtn volume render --opacity-model exponential --extinction 0.001 head.nii.gz head.exr\n"
-    "  gtn volume render --turntable 36 head.ghv around.png");
+    "  gtn volume render --opacity-model exponential --extinction 0.001 head.nii.gz head.exr");
   AddForce(command, options->Overwrite);
   AddImageOptions(command, *options);
   AddViewOptions(command, options->Camera, "volume");

@@ -25,7 +25,7 @@ std::uint64_t CountPoints(const LevelsOfDetail& detail, const FrameRequest& requ
 /** Whether an image at rest depends on the view. */
 bool FollowsViewAtRest(const FrameRequest& request)
 {
-  return request.View && (request.View->PixelError > 0 || request.View->Region != DetailRegion{});
+  return request.View && request.View->PixelError > 0;
 }
 
 bool Simplifies(const FrameRequest& request)

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace gatun
 {
@@ -115,8 +116,8 @@ RayEye MakeRayEye(vtkCamera* camera, const RayGrid& grid, vtkMatrix4x4* volumeMa
 }
 
 //------------------------------------------------------------------------------
-RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, RayMode mode, double sampleDistance,
-  vtkMatrix4x4* volumeMatrix, bool clippingRange)
+RayView MakeRayView(
+  vtkCamera* camera, const RayGrid& grid, vtkMatrix4x4* volumeMatrix, bool clippingRange)
 {
   auto [rows, frustum] = MakeRayEye(camera, grid, volumeMatrix);
   if (clippingRange)
@@ -125,21 +126,14 @@ RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, RayMode mode, double
   }
   const double depth = frustum.Parallel ? 1 : camera->GetDistance();
   const double pixel = grid.Height > 0 ? (frustum.Top - frustum.Bottom) * depth / grid.Height : 1;
-  if (mode != RayMode::Sampled)
-  {
-    // Only a unit of length, in which the mesh must not be too far away.
-    sampleDistance = std::max(pixel, 1e-5 * camera->GetDistance());
-  }
-  else if (sampleDistance == 0)
-  {
-    sampleDistance = pixel;
-  }
+  // A unit of length, in which the mesh must not be too far away.
+  const double unit = std::max(pixel, 1e-5 * camera->GetDistance());
   if (grid.ToBorders)
   {
     Widen(frustum.Left, frustum.Right, grid.Width);
     Widen(frustum.Bottom, frustum.Top, grid.Height);
   }
-  return RayView(rows, frustum, grid.Width, grid.Height, sampleDistance);
+  return RayView(rows, frustum, grid.Width, grid.Height, unit);
 }
 
 //------------------------------------------------------------------------------
@@ -162,8 +156,6 @@ std::optional<RayMode> RayModeOf(int blendMode)
       return RayMode::Composite;
     case MaximumIntensityBlend:
       return RayMode::Maximum;
-    case SampledBlend:
-      return RayMode::Sampled;
     case XRayBlend:
       return RayMode::XRay;
     default:
@@ -228,6 +220,14 @@ RayTable MakeRayTable(
     throw Error(ErrorCode::InvalidInput, "the unit distance of opacity must be positive");
   }
   return RayTable(mode, getColor, range, sampleDistance, unit);
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const DetailView> MakeDetailView(
+  double pixelError, const RayView& view, RayTable table)
+{
+  return std::make_shared<const DetailView>(
+    DetailView{ view, pixelError, std::make_shared<const RayTable>(std::move(table)) });
 }
 
 //------------------------------------------------------------------------------

@@ -6,10 +6,12 @@
 
 // VTK's cameras and properties as the ray caster wants them.
 
+#include "gatunDetailView.h"
 #include "gatunRayCaster.h"
 
 #include "vtkType.h" // For VTK_ABI_NAMESPACE_BEGIN
 
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -52,13 +54,12 @@ struct RayEye
 RayEye MakeRayEye(vtkCamera* camera, const RayGrid& grid, vtkMatrix4x4* volumeMatrix);
 
 /**
- * The rays of a camera, that of its left or right eye if it is in stereo. SampleDistance: in world
- * units; 0 for the size of a pixel at the focal point; only in mode Sampled. VolumeMatrix: null, or
+ * The rays of a camera, that of its left or right eye if it is in stereo. VolumeMatrix: null, or
  * what brings the mesh into the world. ClippingRange: whether what is out of the camera's is left
  * out.
  */
-RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, RayMode mode, double sampleDistance,
-  vtkMatrix4x4* volumeMatrix, bool clippingRange);
+RayView MakeRayView(
+  vtkCamera* camera, const RayGrid& grid, vtkMatrix4x4* volumeMatrix, bool clippingRange);
 
 /** Throws Error(InvalidInput) if a property is NaN, which clamping lets through. */
 void RequireNumber(const char* property, double value);
@@ -68,7 +69,6 @@ enum BlendMode
 {
   CompositeBlend = 0,
   MaximumIntensityBlend = 1,
-  SampledBlend = 100,
   XRayBlend = 101
 };
 
@@ -78,6 +78,10 @@ std::optional<RayMode> RayModeOf(int blendMode);
 /** Colors and opacities of a property, for values in a range. Unit distance: the property's. */
 RayTable MakeRayTable(
   vtkVolumeProperty* property, RayMode mode, const Range& values, double sampleDistance);
+
+/** What an image needs of a mesh. View: with a ray for each pixel. */
+std::shared_ptr<const DetailView> MakeDetailView(
+  double pixelError, const RayView& view, RayTable table);
 
 /** How light falls on a volume, if its property wants shading. Lights: null for one at the camera.
  */

@@ -42,7 +42,6 @@
 #include <cmath>
 #include <exception>
 #include <optional>
-#include <vector>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
@@ -85,20 +84,6 @@ gatun::FramingView MakeView(vtkCamera* camera, double aspect)
     view.TangentOfHalfAngle /= aspect;
   }
   view.Aspect = aspect;
-  return view;
-}
-
-//------------------------------------------------------------------------------
-/** The view after the camera has been turned about an axis. */
-gatun::FramingView Turn(gatun::FramingView view, const std::array<double, 3>& axis, double degrees)
-{
-  const std::array<double, 4> rotation{ vtkMath::RadiansFromDegrees(degrees), axis[0], axis[1],
-    axis[2] };
-  for (auto* const vector : { &view.Right, &view.Up, &view.Back })
-  {
-    const std::array<double, 3> before = *vector;
-    vtkMath::RotateVectorByWXYZ(before.data(), rotation.data(), vector->data());
-  }
   return view;
 }
 
@@ -414,39 +399,11 @@ bool vtkGatunDefaults::FitCamera(vtkCamera* camera, double aspect)
 }
 
 //------------------------------------------------------------------------------
-bool vtkGatunDefaults::FitCameraAround(
-  vtkCamera* camera, double aspect, int images, double x, double y, double z)
-{
-  return this->Internals->Fit(this, camera, aspect,
-    [&](const gatun::PointBlocks& points)
-    {
-      std::array<double, 3> axis{ x, y, z };
-      if (!(vtkMath::Normalize(axis.data()) > 0))
-      {
-        gatun::ThrowInvalid("the axis has no direction");
-      }
-      std::vector<gatun::FramingView> views;
-      for (int i = 0; i < std::max(images, 1); ++i)
-      {
-        views.push_back(Turn(MakeView(camera, aspect), axis, 360. * i / std::max(images, 1)));
-      }
-      std::array<double, 3> middle{};
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        middle[i] = points.GetBounds()[i].Min / 2 + points.GetBounds()[i].Max / 2;
-      }
-      return gatun::FrameAround(points, middle, views);
-    });
-}
-
-//------------------------------------------------------------------------------
 bool vtkGatunDefaults::FitCameraAt(vtkCamera* camera, double aspect, double x, double y, double z)
 {
   return this->Internals->Fit(this, camera, aspect,
-    [&](const gatun::PointBlocks& points)
-    {
-      const gatun::FramingView view = MakeView(camera, aspect);
-      return gatun::FrameAround(points, { x, y, z }, { &view, 1 });
+    [&](const gatun::PointBlocks& points) {
+      return gatun::FrameAround(points, { x, y, z }, MakeView(camera, aspect));
     });
 }
 

@@ -155,13 +155,6 @@ public:
   bool FitCamera(vtkCamera* camera, double aspect);
 
   /**
-   * The same for several images from all around, between which the camera is turned by equal
-   * steps about an axis of a given direction through its focal point. The object fits into all of
-   * them, and the center of its bounds is the focal point.
-   */
-  bool FitCameraAround(vtkCamera* camera, double aspect, int images, double x, double y, double z);
-
-  /**
    * The same with a given point in the middle of an image.
    */
   bool FitCameraAt(vtkCamera* camera, double aspect, double x, double y, double z);

@@ -3,7 +3,6 @@
 
 #include "vtkGatunRayCaster.h"
 
-#include "gatunDetailSettings.h"
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
 #include "gatunFileConsumer.h"
@@ -44,14 +43,7 @@ vtkStandardNewMacro(vtkGatunRayCaster);
 // One numbering for all classes that draw.
 static_assert(int{ vtkGatunRayCaster::COMPOSITE_BLEND } == gatun::CompositeBlend);
 static_assert(int{ vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND } == gatun::MaximumIntensityBlend);
-static_assert(int{ vtkGatunRayCaster::SAMPLED_BLEND } == gatun::SampledBlend);
 static_assert(int{ vtkGatunRayCaster::XRAY_BLEND } == gatun::XRayBlend);
-static_assert(int{ vtkGatunRayCaster::PORTABLE_INSTRUCTIONS } ==
-  static_cast<int>(gatun::RayInstructions::Portable));
-static_assert(
-  int{ vtkGatunRayCaster::AVX2_INSTRUCTIONS } == static_cast<int>(gatun::RayInstructions::AVX2));
-static_assert(int{ vtkGatunRayCaster::AVX512_INSTRUCTIONS } ==
-  static_cast<int>(gatun::RayInstructions::AVX512));
 
 //------------------------------------------------------------------------------
 class vtkGatunRayCaster::vtkPipeline : public gatun::ImagePipeline
@@ -86,11 +78,6 @@ public:
   gatun::RayStatistics Statistics;
   std::uint64_t Points = 0; // of the last image
 
-  static gatun::DetailSettings GetDetail(const vtkGatunRayCaster& self)
-  {
-    return { self.PixelError, self.DetailBounds, self.DetailCenter, self.DetailRadius,
-      self.DetailRange };
-  }
   void Draw(const vtkGatunRayCaster& self, gatun::FrameRequest request, gatun::RayCaster& caster,
     const gatun::RayView& view, const gatun::RaySource::Progress& progress);
 };
@@ -351,12 +338,10 @@ int vtkGatunRayCaster::RequestData(
     gatun::RequireNumber("OpacityLimit", this->OpacityLimit);
     gatun::RequireNumber("TimeBudget", this->TimeBudget);
     gatun::RequireNumber("PixelError", this->PixelError);
-    const gatun::DetailSettings detail = vtkInternals::GetDetail(*this);
     gatun::FrameRequest request;
     const gatun::RayMode mode = *gatun::RayModeOf(this->BlendMode);
-    const auto view =
-      gatun::MakeRayView(self.Camera, gatun::RayGrid{ this->Size[0], this->Size[1] }, mode,
-        this->SampleDistance, self.VolumeMatrix, false);
+    const auto view = gatun::MakeRayView(
+      self.Camera, gatun::RayGrid{ this->Size[0], this->Size[1] }, self.VolumeMatrix, false);
     const gatun::RayArray array{ this->ArrayName ? this->ArrayName : "", this->ArrayAssociation,
       this->ArrayComponent, {} };
     const std::size_t merges = file ? file->Merges : 0;
@@ -386,16 +371,14 @@ int vtkGatunRayCaster::RequestData(
     settings.Opaque = static_cast<float>(this->OpacityLimit);
     settings.Shading =
       gatun::MakeRayShading(self.Property, self.Camera, nullptr, self.VolumeMatrix);
-    settings.FromBothEnds = this->FromBothEnds;
-    settings.Instructions = static_cast<gatun::RayInstructions>(this->Instructions);
     const auto table =
       gatun::MakeRayTable(self.Property, mode, self.Scene.GetRange(), view.SampleDistance);
     gatun::RayCaster caster(
       view, table, gatun::MakeRayLimits(view, self.ClippingPlanes, self.VolumeMatrix), settings);
     request.Merges = merges;
-    if ((this->TimeBudget > 0 && this->ViewDependent) || detail.IsForRest())
+    if ((this->TimeBudget > 0 && this->ViewDependent) || this->PixelError > 0)
     {
-      request.View = gatun::MakeDetailView(detail, view, table);
+      request.View = gatun::MakeDetailView(this->PixelError, view, table);
     }
     self.Draw(*this, std::move(request), caster, view, progress);
 
@@ -434,7 +417,6 @@ void vtkGatunRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VolumeMatrix: " << this->Internals->VolumeMatrix.Get() << "\n";
   os << indent << "ClippingPlanes: " << this->Internals->ClippingPlanes.Get() << "\n";
   os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
-  os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "ArrayName: " << (this->ArrayName ? this->ArrayName : "(none)") << "\n";
   os << indent << "ArrayAssociation: " << this->ArrayAssociation << "\n";
   os << indent << "ArrayComponent: " << this->ArrayComponent << "\n";
@@ -442,10 +424,8 @@ void vtkGatunRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "ViewDependent: " << (this->ViewDependent ? "On" : "Off") << "\n";
-  vtkInternals::GetDetail(*this).Print(os, indent);
+  os << indent << "PixelError: " << this->PixelError << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
-  os << indent << "Instructions: " << this->Instructions << "\n";
-  os << indent << "FromBothEnds: " << (this->FromBothEnds ? "On" : "Off") << "\n";
 }
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -81,17 +81,7 @@ public:
   {
     COMPOSITE_BLEND = 0,         ///< color and opacity, integrated front to back
     MAXIMUM_INTENSITY_BLEND = 1, ///< color and opacity of the largest value
-    SAMPLED_BLEND = 100, ///< as COMPOSITE_BLEND, approximated by samples at SampleDistance; for
-                         ///< comparison, as it is slower and less exact
-    XRAY_BLEND = 101     ///< integral of the absorption along the ray; colors are averaged
-  };
-
-  /** The instruction sets for which the inner loops are compiled. */
-  enum InstructionSets
-  {
-    PORTABLE_INSTRUCTIONS = 0, ///< those of all processors of the architecture
-    AVX2_INSTRUCTIONS = 1,     ///< AVX2 and FMA
-    AVX512_INSTRUCTIONS = 2    ///< AVX-512 F, VL, DQ and BW
+    XRAY_BLEND = 101             ///< integral of the absorption along the ray; colors are averaged
   };
 
   ///@{
@@ -103,7 +93,6 @@ public:
   vtkGetMacro(BlendMode, int);
   void SetBlendModeToComposite() { this->SetBlendMode(COMPOSITE_BLEND); }
   void SetBlendModeToMaximumIntensity() { this->SetBlendMode(MAXIMUM_INTENSITY_BLEND); }
-  void SetBlendModeToSampled() { this->SetBlendMode(SAMPLED_BLEND); }
   void SetBlendModeToXRay() { this->SetBlendMode(XRAY_BLEND); }
   ///@}
 
@@ -148,15 +137,6 @@ public:
   void SetSize(int width, int height);
   void SetSize(const int size[2]) { this->SetSize(size[0], size[1]); }
   vtkGetVector2Macro(Size, int);
-  ///@}
-
-  ///@{
-  /**
-   * Distance between the samples of a ray in world units, 0 or more, in mode SAMPLED_BLEND. 0 is
-   * the size of a pixel at the camera's focal point. Other modes take no samples. Default: 0.
-   */
-  vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(SampleDistance, double);
   ///@}
 
   ///@{
@@ -243,55 +223,6 @@ public:
   vtkGetMacro(PixelError, double);
   ///@}
 
-  ///@{
-  /**
-   * A box, in the coordinates of the mesh, that is not simplified; empty, with a minimum above a
-   * maximum, for none. Default: 1, -1, 1, -1, 1, -1.
-   */
-  vtkSetVector6Macro(DetailBounds, double);
-  vtkGetVector6Macro(DetailBounds, double);
-  ///@}
-
-  ///@{
-  /**
-   * A sphere that is not simplified, in the coordinates of the mesh; with a radius of 0, none.
-   * Defaults: 0, 0, 0 and 0.
-   */
-  vtkSetVector3Macro(DetailCenter, double);
-  vtkGetVector3Macro(DetailCenter, double);
-  vtkSetClampMacro(DetailRadius, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(DetailRadius, double);
-  ///@}
-
-  ///@{
-  /**
-   * Values of the drawn array where the mesh is not simplified: smallest and largest; none if the
-   * first is above the second. Default: 1, -1.
-   */
-  vtkSetVector2Macro(DetailRange, double);
-  vtkGetVector2Macro(DetailRange, double);
-  ///@}
-
-  ///@{
-  /**
-   * The most recent instruction set to use, one of InstructionSets. Where the processor does not
-   * have it, the next simpler one is used. Images differ by rounding only. For comparison. Default:
-   * AVX512_INSTRUCTIONS.
-   */
-  vtkSetClampMacro(Instructions, int, PORTABLE_INSTRUCTIONS, AVX512_INSTRUCTIONS);
-  vtkGetMacro(Instructions, int);
-  ///@}
-
-  ///@{
-  /**
-   * Whether tetrahedra are also released from the back, so that rays grow from both ends. Fewer
-   * tetrahedra wait for others then, but fewer are hidden early. Default: off.
-   */
-  vtkSetMacro(FromBothEnds, bool);
-  vtkGetMacro(FromBothEnds, bool);
-  vtkBooleanMacro(FromBothEnds, bool);
-  ///@}
-
   /**
    * Statistics of the last image. Times are in seconds, summed over all threads.
    */
@@ -336,7 +267,6 @@ protected:
 
   int BlendMode = COMPOSITE_BLEND;
   int Size[2] = { 512, 512 };
-  double SampleDistance = 0;
   char* ArrayName = nullptr;
   int ArrayAssociation = -1;
   int ArrayComponent = 0;
@@ -346,12 +276,6 @@ protected:
   double TimeBudget = 0;
   bool ViewDependent = true;
   double PixelError = 0;
-  double DetailBounds[6] = { 1, -1, 1, -1, 1, -1 };
-  double DetailCenter[3] = { 0, 0, 0 };
-  double DetailRadius = 0;
-  double DetailRange[2] = { 1, -1 };
-  int Instructions = AVX512_INSTRUCTIONS;
-  bool FromBothEnds = false;
 
 private:
   vtkGatunRayCaster(const vtkGatunRayCaster&) = delete;

@@ -83,8 +83,7 @@ std::optional<gatun::SurfaceCutOrder> vtkGatunSurfaceMapper::vtkInternals::MakeO
   std::optional<gatun::RayView> rays;
   try
   {
-    rays = gatun::MakeRayView(
-      image.Renderer->GetActiveCamera(), grid, gatun::RayMode::Composite, 0, toWorld, true);
+    rays = gatun::MakeRayView(image.Renderer->GetActiveCamera(), grid, toWorld, true);
   }
   catch (const gatun::Error&)
   {

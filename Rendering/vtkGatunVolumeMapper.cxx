@@ -31,7 +31,6 @@ namespace
 // One numbering for all classes that draw.
 static_assert(int{ vtkGatunVolumeMapper::COMPOSITE_BLEND } == gatun::CompositeBlend);
 static_assert(int{ vtkGatunVolumeMapper::MAXIMUM_INTENSITY_BLEND } == gatun::MaximumIntensityBlend);
-static_assert(int{ vtkGatunVolumeMapper::SAMPLED_BLEND } == gatun::SampledBlend);
 static_assert(int{ vtkGatunVolumeMapper::XRAY_BLEND } == gatun::XRayBlend);
 
 //------------------------------------------------------------------------------
@@ -294,7 +293,6 @@ void vtkGatunVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   const auto tell = [](auto value) { return value ? "On" : "Off"; };
-  os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
   os << indent << "AutoAdjustSampleDistances: " << tell(this->AutoAdjustSampleDistances) << "\n";
   os << indent << "MinimumImageSampleDistance: " << this->MinimumImageSampleDistance << "\n";
@@ -309,7 +307,7 @@ void vtkGatunVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
   os << indent << "ViewDependent: " << (this->ViewDependent ? "On" : "Off") << "\n";
-  vtkInternals::GetDetail(this).Print(os, indent);
+  os << indent << "PixelError: " << this->PixelError << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "ImageProcess: " << this->ImageProcess << "\n";
 }

@@ -32,8 +32,7 @@
  * If the property's Shade is on, isosurfaces are lit from both sides by the renderer's lights, with
  * Phong's model and the property's ambient, diffuse and specular coefficients. Lights have no cone
  * and no attenuation. The gradient is constant in each tetrahedron, so coarse meshes look faceted.
- * Cell values have no gradient and are not shaded. Only the blend modes composite and sampled
- * shade.
+ * Cell values have no gradient and are not shaded. Only the blend mode composite shades.
  *
  * *Just in time.* If JustInTime is on, a frame during an interaction takes about the time allowed
  * for it. Points are merged into others, as in vtkGatunSimplify, until tetrahedra take a quarter of
@@ -91,33 +90,22 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Blend modes in addition to COMPOSITE_BLEND and MAXIMUM_INTENSITY_BLEND of the superclass, with
-   * numbers beyond those of vtkVolumeMapper.
+   * Blend mode in addition to COMPOSITE_BLEND and MAXIMUM_INTENSITY_BLEND of the superclass, with a
+   * number beyond those of vtkVolumeMapper.
    */
   enum
   {
-    SAMPLED_BLEND = 100, ///< as COMPOSITE_BLEND, approximated by samples at SampleDistance
-    XRAY_BLEND = 101     ///< integral of the absorption along the ray; colors are averaged
+    XRAY_BLEND = 101 ///< integral of the absorption along the ray; colors are averaged
   };
 
   ///@{
   /**
-   * Blend mode: COMPOSITE_BLEND (the default), MAXIMUM_INTENSITY_BLEND, SAMPLED_BLEND or
+   * Blend mode: COMPOSITE_BLEND (the default), MAXIMUM_INTENSITY_BLEND or
    * XRAY_BLEND; see vtkGatunRayCaster::BlendModes. Any other value is reported as an error and
    * changes nothing.
    */
   void SetBlendMode(int mode) override;
-  void SetBlendModeToSampled() { this->SetBlendMode(SAMPLED_BLEND); }
   void SetBlendModeToXRay() { this->SetBlendMode(XRAY_BLEND); }
-  ///@}
-
-  ///@{
-  /**
-   * Distance between the samples of a ray in world units, 0 or more, in mode SAMPLED_BLEND. 0 is
-   * the distance of rays at the camera's focal point. Other modes take no samples. Default: 0.
-   */
-  vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(SampleDistance, double);
   ///@}
 
   ///@{
@@ -249,35 +237,6 @@ public:
 
   ///@{
   /**
-   * A box, in the coordinates of the mesh, that is not simplified; empty, with a minimum above a
-   * maximum, for none. Default: 1, -1, 1, -1, 1, -1.
-   */
-  vtkSetVector6Macro(DetailBounds, double);
-  vtkGetVector6Macro(DetailBounds, double);
-  ///@}
-
-  ///@{
-  /**
-   * A sphere that is not simplified, in the coordinates of the mesh; with a radius of 0, none.
-   * Defaults: 0, 0, 0 and 0.
-   */
-  vtkSetVector3Macro(DetailCenter, double);
-  vtkGetVector3Macro(DetailCenter, double);
-  vtkSetClampMacro(DetailRadius, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(DetailRadius, double);
-  ///@}
-
-  ///@{
-  /**
-   * Values of the drawn array where the mesh is not simplified: smallest and largest; none if the
-   * first is above the second. Default: 1, -1.
-   */
-  vtkSetVector2Macro(DetailRange, double);
-  vtkGetVector2Macro(DetailRange, double);
-  ///@}
-
-  ///@{
-  /**
    * The processes that have parts of the mesh; see above. Null, or a controller with one process:
    * all of the mesh is here. Default: null.
    */
@@ -371,7 +330,6 @@ protected:
   vtkGatunVolumeMapper();
   ~vtkGatunVolumeMapper() override;
 
-  double SampleDistance = 0;
   float ImageSampleDistance = 1;
   bool AutoAdjustSampleDistances = true;
   float MinimumImageSampleDistance = 1;
@@ -386,10 +344,6 @@ protected:
   double SimplificationRatio = 0;
   bool ViewDependent = true;
   double PixelError = 0;
-  double DetailBounds[6] = { 1, -1, 1, -1, 1, -1 };
-  double DetailCenter[3] = { 0, 0, 0 };
-  double DetailRadius = 0;
-  double DetailRange[2] = { 1, -1 };
   vtkMultiProcessController* Controller = nullptr;
   int ImageProcess = -1;
 

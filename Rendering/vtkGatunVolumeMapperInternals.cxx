@@ -252,13 +252,6 @@ float vtkGatunVolumeMapper::vtkInternals::ChooseDistance(vtkGatunVolumeMapper* m
 }
 
 //------------------------------------------------------------------------------
-gatun::DetailSettings vtkGatunVolumeMapper::vtkInternals::GetDetail(vtkGatunVolumeMapper* mapper)
-{
-  return { mapper->PixelError, mapper->DetailBounds, mapper->DetailCenter, mapper->DetailRadius,
-    mapper->DetailRange };
-}
-
-//------------------------------------------------------------------------------
 /** What the present image needs. */
 std::shared_ptr<const gatun::DetailView> vtkGatunVolumeMapper::vtkInternals::MakeDetailView(
   vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
@@ -266,9 +259,9 @@ std::shared_ptr<const gatun::DetailView> vtkGatunVolumeMapper::vtkInternals::Mak
   vtkNew<vtkMatrix4x4> matrix;
   volume->GetMatrix(matrix);
   const gatun::RayMode mode = *gatun::RayModeOf(mapper->BlendMode);
-  const auto view = gatun::MakeRayView(renderer->GetActiveCamera(),
-    gatun::MakeGrid(renderer, Viewport(renderer), 1), mode, mapper->SampleDistance, matrix, true);
-  return gatun::MakeDetailView(GetDetail(mapper), view,
+  const auto view = gatun::MakeRayView(
+    renderer->GetActiveCamera(), gatun::MakeGrid(renderer, Viewport(renderer), 1), matrix, true);
+  return gatun::MakeDetailView(mapper->PixelError, view,
     gatun::MakeRayTable(volume->GetProperty(), mode, this->Scene.GetRange(), view.SampleDistance));
 }
 
@@ -286,7 +279,7 @@ gatun::FrameRequest vtkGatunVolumeMapper::vtkInternals::GetRequest(
   const gatun::PublishedFile* const file = this->FindFile(mapper);
   request.Ratio = mapper->SimplificationRatio;
   request.Merges = file ? file->Merges : 0;
-  if ((request.Budget > 0 && mapper->ViewDependent) || GetDetail(mapper).IsForRest())
+  if ((request.Budget > 0 && mapper->ViewDependent) || mapper->PixelError > 0)
   {
     request.View = this->MakeDetailView(mapper, renderer, volume);
   }
@@ -340,8 +333,7 @@ gatun::RayStatistics vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapp
   vtkCamera* const camera = renderer->GetActiveCamera();
   vtkNew<vtkMatrix4x4> matrix;
   volume->GetMatrix(matrix);
-  const auto view = gatun::MakeRayView(
-    camera, grid, *gatun::RayModeOf(mapper->BlendMode), mapper->SampleDistance, matrix, true);
+  const auto view = gatun::MakeRayView(camera, grid, matrix, true);
   ImageSetup setup = this->MakeSetup(mapper, renderer, volume, view, this->Scene.GetRange());
   if (mapper->IntermixIntersectingGeometry && renderer->GetNumberOfPropsRendered() > 0)
   {

@@ -4,7 +4,6 @@
 #ifndef vtkGatunVolumeMapperInternals_h
 #define vtkGatunVolumeMapperInternals_h
 
-#include "gatunDetailSettings.h"
 #include "gatunErrorCodes.h"
 #include "gatunJustInTime.h"
 #include "gatunRayCaster.h"
@@ -169,7 +168,6 @@ public:
   bool SetScene(vtkGatunVolumeMapper* mapper, const gatun::RaySource::Progress& progress);
   float ChooseDistance(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
     const gatun::Viewport& viewport) const;
-  static gatun::DetailSettings GetDetail(vtkGatunVolumeMapper* mapper);
   std::shared_ptr<const gatun::DetailView> MakeDetailView(
     vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
   gatun::FrameRequest GetRequest(

@@ -250,10 +250,8 @@ ParallelPlan vtkGatunVolumeMapper::vtkInternals::MakePlan(vtkGatunVolumeMapper* 
   const gatun::RayGrid grid = gatun::MakeGrid(renderer, viewport, distance);
   vtkNew<vtkMatrix4x4> matrix;
   volume->GetMatrix(matrix);
-  return { grid,
-    gatun::MakeRayView(renderer->GetActiveCamera(), grid, *gatun::RayModeOf(mapper->BlendMode),
-      mapper->SampleDistance, matrix, true),
-    distance, frame.Level.Points, detail, frame.NextPoints, isInMotion,
+  return { grid, gatun::MakeRayView(renderer->GetActiveCamera(), grid, matrix, true), distance,
+    frame.Level.Points, detail, frame.NextPoints, isInMotion,
     std::min(mapper->ImageProcess, mapper->Controller->GetNumberOfProcesses() - 1) };
 }
 

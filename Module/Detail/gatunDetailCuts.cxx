@@ -8,6 +8,7 @@
 #include "gatunParallel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -21,48 +22,10 @@ namespace
 constexpr double Excess = 1.1;
 constexpr int MostRounds = 6;
 
-// What must not be merged at all.
-constexpr float Held = std::numeric_limits<float>::max();
-
-// Around a region, weights are larger up to this distance, relative to the size of the mesh; up to
-// so many times.
-constexpr double Rim = 0.1;
-constexpr double MostAtRim = 1000;
-
 /** The values at a place. */
 Range GetValues(const DetailCuts::Place& place)
 {
   return place.Values.IsEmpty() ? Range{ place.Point.Value, place.Point.Value } : place.Values;
-}
-
-/** The distance from a region; 0 within it. */
-double GetDistance(const DetailRegion& region, const DetailCuts::Place& place)
-{
-  const std::array<double, 3> p{ place.Point.X, place.Point.Y, place.Point.Z };
-  const Range values = GetValues(place);
-  double distance = std::numeric_limits<double>::infinity();
-  if (region.Values && values.Max >= region.Values->Min && values.Min <= region.Values->Max)
-  {
-    return 0;
-  }
-  if (region.Box)
-  {
-    double square = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const Range& side = (*region.Box)[axis];
-      const double away = std::max({ side.Min - p[axis], p[axis] - side.Max, 0.0 });
-      square += away * away;
-    }
-    distance = std::sqrt(square);
-  }
-  if (region.Sphere)
-  {
-    const auto& center = region.Sphere->Center;
-    const double away = std::hypot(p[0] - center[0], p[1] - center[1], p[2] - center[2]);
-    distance = std::min(distance, std::max(0.0, away - region.Sphere->Radius));
-  }
-  return std::max(0.0, distance - place.Radius);
 }
 }
 
@@ -101,17 +64,8 @@ std::vector<float> DetailCuts::Weigh(const DetailView& view) const
       for (auto i = part * atOnce; i < end; ++i)
       {
         const RayPoint& point = this->Places[i].Point;
-        const double distance = GetDistance(view.Region, this->Places[i]);
-        if (distance == 0)
-        {
-          result[i] = Held;
-          continue;
-        }
         const bool isHidden = view.Table && view.Table->IsTransparent(GetValues(this->Places[i]));
-        const float weight = isHidden ? 0 : weights.Get(std::array{ point.X, point.Y, point.Z });
-        const double near = std::max(0.0, 1 - distance / (Rim * this->Size));
-        // Up to half the weight of what is held, so that it is not taken for that.
-        result[i] = std::min(Held / 2, weight * static_cast<float>(std::pow(MostAtRim, near)));
+        result[i] = isHidden ? 0 : weights.Get(std::array{ point.X, point.Y, point.Z });
       }
     });
   for (const auto place : this->Open)
@@ -173,12 +127,6 @@ MergeCut DetailCuts::Choose(const DetailView& view, std::uint64_t points) const
 //------------------------------------------------------------------------------
 MergeCut DetailCuts::Do(const std::vector<float>& weights, double tolerance) const
 {
-  const MergeTree& tree = *this->Tree;
-  auto wanted = WantMerges(tree, weights, tolerance);
-  for (std::size_t i = 0; i < wanted.size(); ++i)
-  {
-    wanted[i] = wanted[i] && weights[tree.GetMerges()[i].Point] != Held;
-  }
-  return { tree, *this->Dependencies, std::move(wanted) };
+  return { *this->Tree, *this->Dependencies, WantMerges(*this->Tree, weights, tolerance) };
 }
 }

@@ -19,9 +19,8 @@ namespace gatun
 /**
  * Chooses the merges that a view allows. A merge is wanted if its error, in pixels where its point
  * is, is at most a tolerance: that of the view, or a larger one that leaves no more points than
- * wanted. Outside of the view, and where no value is visible, all merges are wanted. In the region
- * of the view none is, and few are near it, because sharp changes of detail take many more
- * tetrahedra. Of the wanted merges, those are chosen whose dependencies are wanted, too.
+ * wanted. Outside of the view, and where no value is visible, all merges are wanted. Of the wanted
+ * merges, those are chosen whose dependencies are wanted, too.
  *
  * The result depends on the view only, not on those before. Immutable.
  */
@@ -32,8 +31,7 @@ public:
   struct Place
   {
     RayPoint Point{};
-    Range Values;      ///< of the points around it; empty: its value
-    double Radius = 0; ///< of a sphere around it that has all points that are there
+    Range Values; ///< of the points around it; empty: its value
   };
 
   /**

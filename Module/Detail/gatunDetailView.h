@@ -5,34 +5,12 @@
 
 #include "gatunRayTable.h"
 #include "gatunRayView.h"
-#include "gatunTypes.h"
 
-#include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 
 namespace gatun
 {
-/** A sphere in the coordinates of a mesh. */
-struct DetailSphere
-{
-  std::array<double, 3> Center{};
-  double Radius = 0;
-
-  bool operator==(const DetailSphere&) const = default;
-};
-
-/** Places that are not simplified: those in the box or the sphere, and those with such a value. */
-struct DetailRegion
-{
-  std::optional<Bounds> Box;
-  std::optional<DetailSphere> Sphere;
-  std::optional<Range> Values;
-
-  bool operator==(const DetailRegion&) const = default;
-};
-
 /** What an image needs of a mesh. */
 struct DetailView
 {
@@ -42,15 +20,12 @@ struct DetailView
    * of the values, times the size in pixels where it is; 0 or more. */
   double PixelError = 0;
 
-  DetailRegion Region;
-
   /** Colors and opacities of values. Null: all values are visible. */
   std::shared_ptr<const RayTable> Table;
 
   bool operator==(const DetailView& other) const
   {
     return this->View == other.View && this->PixelError == other.PixelError &&
-      this->Region == other.Region &&
       (this->Table == other.Table || (this->Table && other.Table && *this->Table == *other.Table));
   }
 };

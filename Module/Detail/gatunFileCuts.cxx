@@ -11,7 +11,6 @@
 #include "gatunParallel.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -85,7 +84,7 @@ std::vector<DetailCuts::Place> FindPlaces(RayChunks& chunks, const RaySource::Pr
   std::vector<DetailCuts::Place> places(file.GetNumberOfPoints());
   // A point without tetrahedra is nowhere that matters.
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  std::fill(places.begin(), places.end(), DetailCuts::Place{ { nan, nan, nan, nan }, {}, 0 });
+  std::fill(places.begin(), places.end(), DetailCuts::Place{ { nan, nan, nan, nan }, {} });
   const auto count = file.GetChunks().size();
   for (std::uint32_t chunk = 0; chunk < count; ++chunk)
   {
@@ -117,14 +116,7 @@ std::vector<DetailCuts::Place> FindPlaces(RayChunks& chunks, const RaySource::Pr
       }
       for (const auto corner : block->Tets[i])
       {
-        DetailCuts::Place& place = places[points[corner]];
-        place.Values.Include(values);
-        for (const auto other : block->Tets[i])
-        {
-          const RayPoint& p = block->Points[other];
-          const RayPoint& q = block->Points[corner];
-          place.Radius = std::max(place.Radius, std::hypot(p.X - q.X, p.Y - q.Y, p.Z - q.Z));
-        }
+        places[points[corner]].Values.Include(values);
       }
     }
   }

@@ -112,10 +112,6 @@ std::size_t FileLevelsOfDetail::FindLevel(std::uint64_t points) const
 std::size_t FileLevelsOfDetail::FindFinest(
   const DetailView& view, std::uint64_t points, bool isForRest, std::size_t coarse)
 {
-  if (view.Region != DetailRegion{})
-  {
-    return 0;
-  }
   // In motion, a quarter of the budget is for what is known of all points.
   const auto affordable = this->Budget->GetBytes() / 4 / BytesPerPoint;
   const auto finest =
@@ -197,9 +193,8 @@ DetailLevel FileLevelsOfDetail::MakeLevel(
   {
     this->Budget = this->Shared ? this->Shared->GetBudget() : std::make_shared<CacheBudget>(budget);
   }
-  const bool isForRest = points == all || request.View->Region != DetailRegion{};
-  const auto coarse = this->FindLevel(
-    isForRest ? std::min(all, std::max(points == all ? 0 : points, PointsForRest)) : points);
+  const bool isForRest = points == all;
+  const auto coarse = this->FindLevel(isForRest ? std::min(all, PointsForRest) : points);
   const auto fine = this->FindFinest(*request.View, points, isForRest, coarse);
   FileCuts* const cuts = this->FindCuts(fine, coarse, progress);
   if (!cuts)

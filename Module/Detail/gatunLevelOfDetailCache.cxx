@@ -455,8 +455,7 @@ namespace
 double GetComparablePoints(const Level& level, const DetailRequest& wanted)
 {
   const DetailView* const made = level.Request.View.get();
-  const bool isAlike = made && wanted.View && made->PixelError == wanted.View->PixelError &&
-    made->Region == wanted.View->Region;
+  const bool isAlike = made && wanted.View && made->PixelError == wanted.View->PixelError;
   return static_cast<double>(isAlike ? level.Request.Points : level.Made.Points);
 }
 }

@@ -341,10 +341,6 @@ std::shared_ptr<const TetList> MemoryLevelsOfDetail::Internals::MakeTets(std::ui
 std::size_t MemoryLevelsOfDetail::Internals::FindBase(
   const DetailView& view, std::uint64_t points) const
 {
-  if (view.Region != DetailRegion{})
-  {
-    return 0;
-  }
   const double weight = DetailWeights(view.View, GetDiagonal(this->Box)).Get(this->Box);
   std::size_t halvings = 0;
   for (;; ++halvings)
@@ -385,7 +381,7 @@ const DetailCuts& MemoryLevelsOfDetail::Internals::GetCuts(
   for (const Merge& merge : tree->GetMerges())
   {
     placeOf[merge.Point] = static_cast<std::uint32_t>(places.size());
-    places.push_back({ known[merge.Point], {}, 0 });
+    places.push_back({ known[merge.Point], {} });
   }
   const TetList& list = *this->CutTets;
   for (std::size_t i = 0; i < list.Tets.size(); ++i)

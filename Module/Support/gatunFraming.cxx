@@ -258,8 +258,8 @@ Framing FrameObject(const PointBlocks& points, const FramingView& view)
 }
 
 //------------------------------------------------------------------------------
-Framing FrameAround(const PointBlocks& points, const std::array<double, 3>& middle,
-  std::span<const FramingView> views)
+Framing FrameAround(
+  const PointBlocks& points, const std::array<double, 3>& middle, const FramingView& view)
 {
   Framing framing;
   framing.FocalPoint = middle;
@@ -270,41 +270,37 @@ Framing FrameAround(const PointBlocks& points, const std::array<double, 3>& midd
   const double diagonal = GetDiagonal(points.GetBounds());
   double distance = 0;
   double scale = 0;
-  for (const FramingView& view : views)
+  const Axes axes(view, middle);
+  for (const int axis : { 0, 1 })
   {
-    const Axes axes(view, middle);
-    for (const int axis : { 0, 1 })
+    const double width = FramingFill * (axis == 0 ? view.Aspect : 1);
+    const double slope = width * view.TangentOfHalfAngle;
+    for (const double side : { -1, 1 })
     {
-      const double width = FramingFill * (axis == 0 ? view.Aspect : 1);
-      const double slope = width * view.TangentOfHalfAngle;
-      for (const double side : { -1, 1 })
+      const auto find = [&](double perDepth, double perWidth)
       {
-        const auto find = [&](double perDepth, double perWidth)
-        {
-          return points.FindLargest(
-            [&](const Point& point)
-            {
-              const glm::dvec3 at = axes.Get(point);
-              return perWidth * side * at[axis] + perDepth * at.z;
-            });
-        };
-        if (view.IsParallel)
-        {
-          scale = std::max(scale, find(0, 1 / width));
-        }
-        distance = std::max(distance, find(1, view.IsParallel ? 0 : 1 / slope));
+        return points.FindLargest(
+          [&](const Point& point)
+          {
+            const glm::dvec3 at = axes.Get(point);
+            return perWidth * side * at[axis] + perDepth * at.z;
+          });
+      };
+      if (view.IsParallel)
+      {
+        scale = std::max(scale, find(0, 1 / width));
       }
-    }
-    distance = std::max(distance, FindRange(points, axes, 2).Max + LeastGap * diagonal);
-    if (!view.IsParallel)
-    {
-      scale = std::max(scale, distance * view.TangentOfHalfAngle);
+      distance = std::max(distance, find(1, view.IsParallel ? 0 : 1 / slope));
     }
   }
-  const bool isPoint = IsPoint(points.GetBounds());
+  distance = std::max(distance, FindRange(points, axes, 2).Max + LeastGap * diagonal);
+  if (!view.IsParallel)
+  {
+    scale = distance * view.TangentOfHalfAngle;
+  }
   framing.ParallelScale = scale > 0 ? scale : diagonal;
-  framing.Distance = isPoint && !views.empty()
-    ? std::max(distance, diagonal / views.front().TangentOfHalfAngle)
+  framing.Distance = IsPoint(points.GetBounds())
+    ? std::max(distance, diagonal / view.TangentOfHalfAngle)
     : distance;
   return framing;
 }

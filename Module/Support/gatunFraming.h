@@ -82,9 +82,9 @@ constexpr double FramingFill = 0.94;
  * A lone point, or none, is seen from some distance. */
 GATUN_EXPORT Framing FrameObject(const PointBlocks& points, const FramingView& view);
 
-/** The same with a given point in the middle, for several views, all of which show everything. */
-GATUN_EXPORT Framing FrameAround(const PointBlocks& points, const std::array<double, 3>& middle,
-  std::span<const FramingView> views);
+/** The same with a given point in the middle. */
+GATUN_EXPORT Framing FrameAround(
+  const PointBlocks& points, const std::array<double, 3>& middle, const FramingView& view);
 }
 
 #endif

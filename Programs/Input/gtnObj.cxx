@@ -18,6 +18,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -25,8 +26,10 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <set>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace gtn
@@ -80,6 +83,16 @@ public:
     {
       this->ReadFace(line);
     }
+    else
+    {
+      this->LeaveOut(what);
+    }
+  }
+
+  /** What the file has and is not read. */
+  std::vector<std::string> GetLeftOut() const
+  {
+    return { this->LeftOut.begin(), this->LeftOut.end() };
   }
 
   vtkSmartPointer<vtkPolyData> GetSurface() const
@@ -108,6 +121,26 @@ private:
         "line {}: a face names point {} of {}", number, point, this->Points->GetNumberOfPoints()));
   }
 
+  void LeaveOut(std::string_view what)
+  {
+    constexpr std::array<std::pair<std::string_view, const char*>, 8> known{ {
+      { "vt", "texture coordinates" },
+      { "vn", "normals" },
+      { "l", "lines" },
+      { "p", "points without faces" },
+      { "g", "groups" },
+      { "o", "groups" },
+      { "usemtl", "materials" },
+      { "cstype", "curves and curved surfaces" },
+    } };
+    const auto* const found = std::find_if(
+      known.begin(), known.end(), [what](const auto& entry) { return entry.first == what; });
+    if (found != known.end())
+    {
+      this->LeftOut.insert(found->second);
+    }
+  }
+
   void ReadPoint(std::string_view line)
   {
     double point[3];
@@ -121,6 +154,11 @@ private:
       }
     }
     this->Points->InsertNextPoint(point);
+    TakeWord(line); // a weight, or the first part of a color
+    if (!TakeWord(line).empty())
+    {
+      this->LeftOut.insert("colors");
+    }
   }
 
   // Of 7/2/5, 7//5 and the like, 7 is the point; negative ones count from the last point so far.
@@ -158,12 +196,13 @@ private:
   vtkNew<vtkPoints> Points;
   vtkNew<vtkCellArray> Faces;
   std::vector<vtkIdType> Corners;
+  std::set<std::string> LeftOut;
   vtkIdType Largest = 0; // index of a point
   std::size_t LargestLine = 0;
 };
 
-vtkSmartPointer<vtkPolyData> ReadObj(
-  const std::string& file, const std::function<bool(double)>& progress)
+vtkSmartPointer<vtkPolyData> ReadObj(const std::string& file,
+  const std::function<bool(double)>& progress, std::vector<std::string>& leftOut)
 {
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
@@ -202,6 +241,7 @@ vtkSmartPointer<vtkPolyData> ReadObj(
   {
     throw Failure(file, "cannot be read");
   }
+  leftOut = parser.GetLeftOut();
   return parser.GetSurface();
 }
 
@@ -228,13 +268,17 @@ int ObjReader::RequestData(vtkInformation* vtkNotUsed(request),
 {
   try
   {
-    vtkPolyData::GetData(outputVector)
-      ->ShallowCopy(ReadObj(this->File,
-        [this](double fraction)
-        {
-          this->UpdateProgress(fraction);
-          return this->GetAbortExecute() == 0;
-        }));
+    std::vector<std::string> leftOut;
+    const auto progress = [this](double fraction)
+    {
+      this->UpdateProgress(fraction);
+      return this->GetAbortExecute() == 0;
+    };
+    vtkPolyData::GetData(outputVector)->ShallowCopy(ReadObj(this->File, progress, leftOut));
+    if (!leftOut.empty())
+    {
+      vtkWarningMacro(<< "what is not read of the file: " << Joined(leftOut));
+    }
   }
   catch (const std::exception& error)
   {

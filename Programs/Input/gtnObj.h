@@ -9,11 +9,12 @@
 
 namespace gtn
 {
-/** Reads the points and faces of a Wavefront .obj file; nothing else is read. Reports an error,
- * which names the line, for any content of the file.
+/** Reads the points and faces of a Wavefront .obj file; a warning names what else the file has.
+ * Reports an error, which names the line, for any content of the file.
  *
- * Not by vtkOBJReader: it follows indices that do not exist, and splits points where a texture has
- * a seam, so that a closed surface is no longer closed. */
+ * Not by vtkOBJReader: it follows indices that do not exist, rounds coordinates to single
+ * precision, and splits points where a texture has a seam, so that a closed surface is no longer
+ * closed. */
 class ObjReader : public vtkPolyDataAlgorithm
 {
 public:

@@ -12,7 +12,6 @@
 #include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 
 #include <fmt/core.h>
 
@@ -215,8 +214,7 @@ void LookAcross(vtkCamera* camera, const CameraFile& wanted)
 }
 
 /** Moves the camera to where the object fills the image, unless the file tells its place. */
-void Fit(
-  vtkCamera* camera, const CameraFile& wanted, const CameraSubject& subject, const Vector& axis)
+void Fit(vtkCamera* camera, const CameraFile& wanted, const CameraSubject& subject)
 {
   if (!wanted.Position)
   {
@@ -224,11 +222,6 @@ void Fit(
     {
       const Vector& focus = *wanted.FocalPoint;
       subject.Defaults->FitCameraAt(camera, subject.Aspect, focus[0], focus[1], focus[2]);
-    }
-    else if (subject.Images > 1)
-    {
-      subject.Defaults->FitCameraAround(
-        camera, subject.Aspect, subject.Images, axis[0], axis[1], axis[2]);
     }
     else
     {
@@ -241,30 +234,13 @@ void Fit(
   }
 }
 
-/** Moves the camera around its focal point. */
-void Revolve(vtkCamera* camera, const Vector& axis, double degrees)
-{
-  const std::array<double, 4> rotation{ vtkMath::RadiansFromDegrees(degrees), axis[0], axis[1],
-    axis[2] };
-  Vector arm{};
-  vtkMath::Subtract(camera->GetPosition(), camera->GetFocalPoint(), arm.data());
-  Vector turned{};
-  vtkMath::RotateVectorByWXYZ(arm.data(), rotation.data(), turned.data());
-  Vector up{};
-  vtkMath::RotateVectorByWXYZ(camera->GetViewUp(), rotation.data(), up.data());
-  const double* const center = camera->GetFocalPoint();
-  camera->SetPosition(center[0] + turned[0], center[1] + turned[1], center[2] + turned[2]);
-  camera->SetViewUp(up.data());
-}
-
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
-std::vector<vtkSmartPointer<vtkCamera>> MakeCameras(
-  const CameraOptions& options, const CameraSubject& subject)
+vtkSmartPointer<vtkCamera> MakeCamera(const CameraOptions& options, const CameraSubject& subject)
 {
   const CameraFile wanted = options.File.empty() ? CameraFile() : ReadCameraFile(options.File);
-  vtkNew<vtkCamera> camera;
+  auto camera = vtkSmartPointer<vtkCamera>::New();
   camera->SetParallelProjection(options.Parallel ? 1 : 0);
   camera->SetViewAngle(wanted.ViewAngle.value_or(30));
   LookAt(camera, subject.Box, subject.Aspect);
@@ -282,26 +258,14 @@ std::vector<vtkSmartPointer<vtkCamera>> MakeCameras(
   {
     Turn(camera, *options.Turns);
   }
-  Vector axis{};
-  camera->GetViewUp(axis.data());
-  vtkMath::Normalize(axis.data());
   // A given position is kept.
   const bool isPlaced = wanted.Position || options.Turns;
   camera->Azimuth(options.Azimuth.value_or(isPlaced ? 0 : 30));
   Elevate(camera, options.Elevation.value_or(isPlaced ? 0 : 20));
   camera->Roll(options.Roll);
-  Fit(camera, wanted, subject, axis);
+  Fit(camera, wanted, subject);
   camera->Zoom(options.Zoom);
-
-  std::vector<vtkSmartPointer<vtkCamera>> cameras;
-  for (int i = 0; i < subject.Images; ++i)
-  {
-    auto turned = vtkSmartPointer<vtkCamera>::New();
-    turned->DeepCopy(camera);
-    Revolve(turned, axis, 360. * i / subject.Images);
-    cameras.push_back(turned);
-  }
-  return cameras;
+  return camera;
 }
 
 //------------------------------------------------------------------------------

@@ -14,7 +14,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <vector>
 
 class vtkCamera;
 class vtkGatunDefaults;
@@ -35,20 +34,18 @@ struct CameraOptions
   std::optional<std::array<double, 3>> Turns;
 };
 
-/** What is seen, and by how many images. */
+/** What is seen. */
 struct CameraSubject
 {
   gatun::Bounds Box;
   vtkGatunDefaults* Defaults = nullptr; ///< its input is the object
-  double Aspect = 1;                    ///< of the images
-  int Images = 1;                       ///< of a turntable
+  double Aspect = 1;                    ///< of the image
 };
 
-/** Makes the cameras of all images. They see the whole object, which fills the image as
+/** Makes the camera of an image. It sees the whole object, which fills the image as
  * vtkGatunDefaults fits it, with the values of the file in place of those. The other options move
- * them. Throws Failure for the file if the result is no view. */
-std::vector<vtkSmartPointer<vtkCamera>> MakeCameras(
-  const CameraOptions& options, const CameraSubject& subject);
+ * it. Throws Failure for the file if the result is no view. */
+vtkSmartPointer<vtkCamera> MakeCamera(const CameraOptions& options, const CameraSubject& subject);
 
 /** Returns a camera in the form of such a file. */
 Json::Value DescribeCamera(vtkCamera* camera);

@@ -13,15 +13,17 @@
 #include "vtkGatunDefaults.h"
 
 #include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <filesystem>
 #include <string_view>
 
 namespace gtn
@@ -105,7 +107,7 @@ void RequireRange(const ImageContent& content)
   }
 }
 
-vtkSmartPointer<vtkVolumeProperty> MakeAutomatic(
+vtkSmartPointer<vtkVolumeProperty> MakeStructure(
   const ImageOptions& options, const ImageContent& content, vtkGatunDefaults* defaults, double unit)
 {
   if (options.Range)
@@ -122,10 +124,45 @@ vtkSmartPointer<vtkVolumeProperty> MakeAutomatic(
   CheckMessages(content.File, true);
   if (!isMade)
   {
-    throw Failure(content.File, "there is no default transfer function; give --tf");
+    throw Failure(content.File, "there is no default transfer function");
   }
-  ScaleOpacity(property->GetScalarOpacity(), options.Opacity);
   return property;
+}
+
+vtkSmartPointer<vtkVolumeProperty> MakeRamp(
+  const ImageOptions& options, const ImageContent& content)
+{
+  gatun::Range range = options.Range.value_or(content.Range);
+  if (!options.Range)
+  {
+    RequireRange(content);
+  }
+  if (range.Min == range.Max)
+  {
+    // A lone value gets the middle.
+    const double margin = std::max(0.5, std::abs(range.Min) / 100);
+    range = { range.Min - margin, range.Max + margin };
+  }
+  vtkNew<vtkColorTransferFunction> colors;
+  vtkGatunDefaults::MakeColors(range.Min, range.Max, colors);
+  vtkNew<vtkPiecewiseFunction> opacities;
+  vtkGatunDefaults::MakeRamp(range.Min, range.Max, opacities);
+  auto property = vtkSmartPointer<vtkVolumeProperty>::New();
+  property->SetColor(colors);
+  property->SetScalarOpacity(opacities);
+  return property;
+}
+
+/** Multiplies all opacities, which stay at most 1. */
+void ScaleOpacity(vtkPiecewiseFunction* opacity, double factor)
+{
+  for (int i = 0; i < opacity->GetSize(); ++i)
+  {
+    std::array<double, 4> node{}; // value, opacity, midpoint, sharpness
+    opacity->GetNodeValue(i, node.data());
+    node[1] = std::min(node[1] * factor, 1.0);
+    opacity->SetNodeValue(i, node.data());
+  }
 }
 
 } // anonymous namespace
@@ -152,13 +189,6 @@ void AddImageOptions(CLI::App* command, ImageOptions& options)
   AddParsed(command, "--background", options, ParseBackground,
     "Background color: #RRGGBB, black, white or transparent (default: transparent)", "COLOR",
     group);
-  command
-    ->add_option("--turntable", options.Turntable,
-      "Render N images, 1 to 9999, from all around; -000, -001 and so on are added to the name of "
-      "OUT")
-    ->check(Between(1, 9999))
-    ->option_text("N")
-    ->group(group);
 }
 
 //------------------------------------------------------------------------------
@@ -196,24 +226,10 @@ void AddViewOptions(CLI::App* command, CameraOptions& camera, const std::string&
 void AddColorOptions(CLI::App* command, ImageOptions& options, const std::string& what)
 {
   const char* const group = "Colors and opacities";
-  command
-    ->add_option("--tf", options.TransferFunction,
-      fmt::format(
-        "Transfer function: auto, made from the histogram of the values, of which frequent "
-        "ones become transparent; a preset ({}); or a .json file with a color map of "
-        "ParaView (default: auto). Presets and color maps from 0 to 1 are scaled to the "
-        "range of the array. Values outside the range are clamped",
-        Joined(GetPresetNames())))
-    ->option_text("PRESET|FILE")
-    ->group(group);
-  command
-    ->add_option("--save-tf", options.SaveTransfer,
-      "Write the transfer function to a .json file, which ParaView imports as a color map and --tf "
-      "reads")
-    ->option_text("FILE")
-    ->group(group);
   AddParsed(command, "--range", options, ParseTransferRange,
-    "Range of values to scale the transfer function to", "LO,HI", group);
+    "Range of values that colors and opacities span (default: those of the array, without "
+    "outliers). Values outside of it get the colors of its ends",
+    "LO,HI", group);
   command
     ->add_option("--opacity", options.Opacity,
       "Factor for all opacities, 0 to 1000; the results are clamped to 1 (default: 1)")
@@ -231,73 +247,17 @@ void AddColorOptions(CLI::App* command, ImageOptions& options, const std::string
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> NameImages(const ImageOptions& options)
-{
-  const std::string& out = options.Out;
-  const int turntable = options.Turntable;
-  if (turntable == 0)
-  {
-    return { out };
-  }
-  const std::filesystem::path path(out);
-  const std::size_t digits = std::max<std::size_t>(3, std::to_string(turntable - 1).size());
-  std::vector<std::string> names;
-  for (int i = 0; i < turntable; ++i)
-  {
-    names.push_back((path.parent_path() /
-      fmt::format("{}-{:0{}}{}", path.stem().string(), i, digits, path.extension().string()))
-                      .string());
-  }
-  return names;
-}
-
-//------------------------------------------------------------------------------
-Transfer MakeTransfer(const ImageOptions& options, const ImageContent& content)
-{
-  Transfer transfer = FindTransfer(options.TransferFunction);
-  if (options.Range)
-  {
-    Stretch(transfer, *options.Range);
-  }
-  else if (IsNormalized(transfer))
-  {
-    RequireRange(content);
-    gatun::Range range = content.Range;
-    if (range.Min == range.Max)
-    {
-      // A lone value gets the middle.
-      const double margin = std::max(0.5, std::abs(range.Min) / 100);
-      range = { range.Min - margin, range.Max + margin };
-    }
-    Stretch(transfer, range);
-  }
-  ScaleOpacity(transfer, options.Opacity);
-  return transfer;
-}
-
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkVolumeProperty> MakeImageProperty(const ImageOptions& options,
-  const ImageContent& content, vtkGatunDefaults* defaults, const gatun::Bounds& box)
+  const ImageContent& content, vtkGatunDefaults* defaults, const gatun::Bounds& box,
+  OpacityKind kind)
 {
   const double unit = DiagonalOf(box) / 100;
-  vtkSmartPointer<vtkVolumeProperty> property = options.TransferFunction == AutomaticTransfer
-    ? MakeAutomatic(options, content, defaults, unit)
-    : MakeProperty(MakeTransfer(options, content), unit);
-  if (options.UnitDistance)
-  {
-    property->SetScalarOpacityUnitDistance(*options.UnitDistance);
-  }
-  SaveTransfer(options, property);
+  vtkSmartPointer<vtkVolumeProperty> property = kind == OpacityKind::Structure
+    ? MakeStructure(options, content, defaults, unit)
+    : MakeRamp(options, content);
+  property->SetScalarOpacityUnitDistance(options.UnitDistance.value_or(unit));
+  ScaleOpacity(property->GetScalarOpacity(), options.Opacity);
   return property;
-}
-
-//------------------------------------------------------------------------------
-void SaveTransfer(const ImageOptions& options, vtkVolumeProperty* property)
-{
-  if (!options.SaveTransfer.empty())
-  {
-    WriteTransfer(property, options.TransferFunction, options.SaveTransfer);
-  }
 }
 
 //------------------------------------------------------------------------------

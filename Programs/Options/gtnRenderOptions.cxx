@@ -7,7 +7,6 @@
 #include "gtnOptions.h"
 #include "gtnParse.h"
 #include "gtnText.h"
-#include "gtnTransfer.h"
 
 #include "vtkGatunRayCaster.h"
 
@@ -30,8 +29,7 @@ struct NamedMode
   int BlendMode;
 };
 
-constexpr std::array<NamedMode, 4> Modes{ { { "composite", vtkGatunRayCaster::COMPOSITE_BLEND },
-  { "sampled", vtkGatunRayCaster::SAMPLED_BLEND },
+constexpr std::array<NamedMode, 3> Modes{ { { "composite", vtkGatunRayCaster::COMPOSITE_BLEND },
   { "mip", vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND },
   { "xray", vtkGatunRayCaster::XRAY_BLEND } } };
 
@@ -60,24 +58,22 @@ void AddModeOption(CLI::App* command, RenderOptions& options)
             return name == mode.Name;
           })->BlendMode;
       },
-      "Blend mode: composite (exact integral, front to back), sampled (the same by samples, for "
-      "comparison), mip (maximum intensity) or xray (sum of opacities) (default: composite)")
-    ->check(CLI::IsMember({ "composite", "sampled", "mip", "xray" }))
+      "Blend mode: composite (exact integral, front to back), mip (maximum intensity) or xray (sum "
+      "of opacities) (default: composite)")
+    ->check(CLI::IsMember({ "composite", "mip", "xray" }))
     ->option_text("NAME")
     ->group("Image");
 }
 
 void AddShadeOption(CLI::App* command, RenderOptions& options)
 {
-  command
-    ->add_flag(
-      "--shade", options.Shade, "Shade isosurfaces by a headlight (modes composite and sampled)")
+  command->add_flag("--shade", options.Shade, "Shade isosurfaces by a headlight (mode composite)")
     ->group("Colors and opacities");
 }
 
 void AddDetailOptions(CLI::App* command, RenderOptions& options)
 {
-  const char* const group = "Sampling and cost";
+  const char* const group = "Cost";
   command
     ->add_option("--pixel-error", options.PixelError,
       "Largest error in pixels, 0 to 1e6, of the shape and, relative to their range, of the "
@@ -91,40 +87,11 @@ void AddDetailOptions(CLI::App* command, RenderOptions& options)
     ->add_flag("--uniform", options.Uniform,
       "With --budget, simplify the mesh everywhere alike instead of less near the eye")
     ->group(group);
-  const auto addRegion = [&](const char* name, std::vector<double>& numbers, int count,
-                           const char* text, const char* what)
-  {
-    command->add_option(name, numbers, what)
-      ->delimiter(',')
-      ->expected(count)
-      ->option_text(text)
-      ->group(group);
-  };
-  addRegion("--detail-box", options.DetailBounds, 6, "X0,X1,Y0,Y1,Z0,Z1",
-    "Box that is not simplified, with --pixel-error or --budget");
-  addRegion("--detail-sphere", options.DetailSphere, 4, "X,Y,Z,R",
-    "Sphere that is not simplified, with --pixel-error or --budget");
-  addRegion("--detail-range", options.DetailRange, 2, "LO,HI",
-    "Values where the mesh is not simplified, with --pixel-error or --budget");
 }
 
 void AddCostOptions(CLI::App* command, RenderOptions& options)
 {
-  const char* const group = "Sampling and cost";
-  command
-    ->add_option("--sample-distance", options.SampleDistance,
-      "Distance between samples along a ray in mode sampled, above 0, in units of the coordinates "
-      "(default: the width of a pixel at the center of the mesh)")
-    ->check(Positive())
-    ->option_text("D")
-    ->group(group);
-  command
-    ->add_option("--memory", options.Memory,
-      "Memory budget for decoded chunks that are kept for the next image of a turntable, in MiB, "
-      "0 to 1048576 (default: 512)")
-    ->check(CLI::Range(0, 1 << 20))
-    ->option_text("MIB")
-    ->group(group);
+  const char* const group = "Cost";
   command
     ->add_option("--ratio", options.Ratio,
       "Fraction of points removed before rendering, 0 to 1 (default: 0). The edge collapses are "
@@ -134,16 +101,14 @@ void AddCostOptions(CLI::App* command, RenderOptions& options)
     ->group(group);
   command
     ->add_option("--budget", options.TimeBudget,
-      "Time budget per image in seconds, once the mesh is loaded; the level of detail is chosen by "
-      "the times of the images before (default: no limit)")
+      "Time budget in seconds, once the mesh is loaded; the level of detail is chosen by typical "
+      "times (default: no limit)")
     ->check(CLI::NonNegativeNumber)
     ->option_text("SECONDS")
     ->group(group);
   AddDetailOptions(command, options);
-  command->add_flag("--stats", options.Statistics, "Print statistics; medians for a turntable")
-    ->group(group);
-  command->add_flag("--json", options.Json, "Print the statistics of each image as JSON")
-    ->group(group);
+  command->add_flag("--stats", options.Statistics, "Print statistics")->group(group);
+  command->add_flag("--json", options.Json, "Print statistics as JSON")->group(group);
 }
 
 } // anonymous namespace
@@ -166,15 +131,13 @@ CLI::App* AddRenderOptions(CLI::App& app, Settings& settings, RenderOptions& opt
     "has\n"
     "float values with premultiplied opacity, and the depth as channel Z. Surfaces are drawn by "
     "OpenGL,\n"
-    "which needs a display, opaque and in the colors of the transfer function.",
+    "which needs a display, opaque.",
     "  gtn render mesh.gtn mesh.png\n"
-    "  gtn render --array pressure --tf heat --background black --size 1920x1080 mesh.gtn "
-    "mesh.png\n"
-    "  gtn render --tf bone --range 0,1500 --opacity 2 --elevation 90 scan.gtn scan.png\n"
-    "  gtn render --turntable 36 mesh.gtn around.png      # around-000.png to around-035.png\n"
-    "  gtn render --mode xray --tf xray --camera view.json mesh.vtu mesh.exr\n"
+    "  gtn render --array pressure --background black --size 1920x1080 mesh.gtn mesh.png\n"
+    "  gtn render --range 0,1500 --opacity 2 --elevation 90 scan.gtn scan.png\n"
+    "  gtn render --mode xray --camera view.json mesh.vtu mesh.exr\n"
     "  gtn render --pixel-error 1 --camera close.json lod.gtn close.png\n"
-    "  gtn render --array curvature --tf heat scan.ply scan.png");
+    "  gtn render --array curvature scan.ply scan.png");
   AddForce(command, options.Overwrite);
   AddImageOptions(command, options);
   AddModeOption(command, options);

@@ -10,9 +10,7 @@
 #include "gtnRenderInput.h"
 #include "gtnSettings.h"
 
-#include <optional>
 #include <string>
-#include <vector>
 
 namespace gtn
 {
@@ -22,17 +20,12 @@ struct RenderOptions : ImageOptions
   bool Shade = false;
 
   int BlendMode = 0; ///< of vtkGatunRayCaster::BlendModes
-  std::optional<double> SampleDistance;
   double Ratio = 0;
   double TimeBudget = 0;
 
   // Where the mesh is simplified.
   bool Uniform = false;
   double PixelError = 0;
-  std::vector<double> DetailBounds; ///< 6, or none
-  std::vector<double> DetailSphere; ///< center and radius, or none
-  std::vector<double> DetailRange;  ///< 2, or none
-  int Memory = 512;
 };
 
 /** Adds the command with all of its options. */

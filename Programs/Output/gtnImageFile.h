@@ -3,7 +3,8 @@
 #ifndef gtnImageFile_h
 #define gtnImageFile_h
 
-// Image files: .png by libpng, others by OpenImageIO, which is loaded when it is needed first.
+// Image files: .png by VTK and libpng, others by OpenImageIO, which is loaded when it is needed
+// first.
 
 #include "gtnImage.h"
 
@@ -11,7 +12,8 @@
 
 namespace gtn
 {
-/** Writes an image. The file gets its name when it is complete. Throws Failure. */
+/** Writes an image; a .png file takes values of type uint8 or uint16. The file gets its name when
+ * it is complete. Throws Failure. */
 void WriteImageFile(const Image& image, const std::string& file);
 
 /** Reads all images in a file. Throws Failure, and what the function throws. */

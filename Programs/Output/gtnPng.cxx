@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <cstring>
 #include <new>
-#include <utility>
+#include <vector>
 
 namespace gtn
 {
@@ -34,24 +34,23 @@ struct ErrorState
 
 void IgnoreWarning(png_structp /*png*/, png_const_charp /*warning*/) {}
 
-// A reader or writer of libpng with its file.
+// A reader of libpng with its file.
 class Png
 {
 public:
-  Png(const std::string& file, bool isWriter)
-    : IsWriter(isWriter)
-    , File(std::fopen(file.c_str(), isWriter ? "wb" : "rb"))
-    , Main(isWriter
-          ? png_create_write_struct(PNG_LIBPNG_VER_STRING, &this->State, HandleError, IgnoreWarning)
-          : png_create_read_struct(PNG_LIBPNG_VER_STRING, &this->State, HandleError, IgnoreWarning))
+  explicit Png(const std::string& file)
+    : File(std::fopen(file.c_str(), "rb"))
+    , Main(png_create_read_struct(PNG_LIBPNG_VER_STRING, &this->State, HandleError, IgnoreWarning))
     , Info(this->Main ? png_create_info_struct(this->Main) : nullptr)
   {
   }
   ~Png()
   {
-    this->IsWriter ? png_destroy_write_struct(&this->Main, &this->Info)
-                   : png_destroy_read_struct(&this->Main, &this->Info, nullptr);
-    this->Close();
+    png_destroy_read_struct(&this->Main, &this->Info, nullptr);
+    if (this->File)
+    {
+      std::fclose(this->File);
+    }
   }
   Png(const Png&) = delete;
   Png& operator=(const Png&) = delete;
@@ -79,13 +78,6 @@ public:
     return false;
   }
 
-  // Returns false if what is still in the buffer cannot be written.
-  bool Close()
-  {
-    std::FILE* const file = std::exchange(this->File, nullptr);
-    return !file || std::fclose(file) == 0;
-  }
-
 private:
   template <typename Work>
   bool Try(const Work& work)
@@ -98,7 +90,6 @@ private:
     return true;
   }
 
-  const bool IsWriter;
   std::FILE* File;
   ErrorState State;
   png_structp Main;
@@ -116,65 +107,6 @@ std::vector<png_bytep> RowsOf(png_bytep values, std::size_t count, std::size_t b
   return rows;
 }
 
-bool WritePng(const Image& image, const std::string& file, std::string& reason)
-try
-{
-  constexpr int colorTypes[] = { PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
-    PNG_COLOR_TYPE_RGB_ALPHA };
-  const std::size_t size = gatun::SizeOf(image.Type);
-  const std::size_t channels = image.Channels.size();
-  // libpng takes pointers to what it does not change.
-  auto* const values = static_cast<png_bytep>(const_cast<void*>(image.Values));
-  std::vector<png_bytep> rows = RowsOf(values, static_cast<std::size_t>(image.Height),
-    size * channels * static_cast<std::size_t>(image.Width));
-  std::vector<png_text> texts;
-  for (const auto& [key, text] : image.Remarks)
-  {
-    png_text& entry = texts.emplace_back();
-    entry.compression = PNG_TEXT_COMPRESSION_NONE;
-    entry.key = const_cast<char*>(key.c_str());
-    entry.text = const_cast<char*>(text.c_str());
-    entry.text_length = text.size();
-  }
-  Png png(file, true);
-  const auto work = [&]
-  {
-    png_structp main = png.GetMain();
-    png_init_io(main, png.GetFile());
-    png_set_user_limits(main, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-    png_set_IHDR(main, png.GetInfo(), static_cast<png_uint_32>(image.Width),
-      static_cast<png_uint_32>(image.Height), static_cast<int>(8 * size), colorTypes[channels - 1],
-      PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    if (channels > 2)
-    {
-      png_set_sRGB_gAMA_and_cHRM(main, png.GetInfo(), PNG_sRGB_INTENT_ABSOLUTE);
-    }
-    png_set_text(main, png.GetInfo(), texts.data(), static_cast<int>(texts.size()));
-    png_write_info(main, png.GetInfo());
-    if (size == 2 && std::endian::native == std::endian::little)
-    {
-      png_set_swap(main);
-    }
-    png_write_image(main, rows.data());
-    png_write_end(main, nullptr);
-  };
-  if (!png.Run(work, reason))
-  {
-    return false;
-  }
-  if (!png.Close())
-  {
-    reason = std::strerror(errno);
-    return false;
-  }
-  return true;
-}
-catch (const std::bad_alloc&)
-{
-  reason = "not enough memory";
-  return false;
-}
-
 // Whether a file can hold that many bytes: deflate shrinks them to a 1032nd at most.
 bool CanHold(std::FILE* file, double bytes)
 {
@@ -185,9 +117,12 @@ bool CanHold(std::FILE* file, double bytes)
   return bytes / 1032 <= length;
 }
 
-bool ReadPng(const std::string& file, const ImageFunction& take, std::string& reason)
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+bool ReadPNG(const std::string& file, const ImageFunction& take, std::string& reason)
 {
-  Png png(file, false);
+  Png png(file);
   Image image;
   int channels = 0;
   std::size_t rowBytes = 0;
@@ -259,8 +194,4 @@ bool ReadPng(const std::string& file, const ImageFunction& take, std::string& re
   take(image);
   return true;
 }
-
-} // anonymous namespace
-
-const ImageCodec PngCodec{ WritePng, ReadPng };
 }

@@ -5,11 +5,15 @@
 
 #include "gtnImage.h"
 
+#include <string>
+
 namespace gtn
 {
-/** Reads and writes .png files with values of type uint8 or uint16. Damaged files are refused with
- * a reason. */
-extern const ImageCodec PngCodec;
+/** Reads a .png file with values of type uint8 or uint16, as ImageCodec::Read does. Damaged files
+ * are refused with a reason.
+ *
+ * Not by vtkPNGReader or OpenImageIO: for damaged files, libpng then writes messages of its own. */
+bool ReadPNG(const std::string& file, const ImageFunction& take, std::string& reason);
 }
 
 #endif

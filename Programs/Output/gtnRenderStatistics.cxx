@@ -7,7 +7,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -46,29 +45,6 @@ std::string Text(const Statistic& statistic)
 }
 
 } // anonymous namespace
-
-//------------------------------------------------------------------------------
-Statistics MedianOf(const std::vector<Statistics>& all)
-{
-  Statistics median = all.front();
-  for (std::size_t i = 0; i < median.size(); ++i)
-  {
-    std::vector<double> values;
-    for (const Statistics& one : all)
-    {
-      if (!std::isnan(one[i].Value))
-      {
-        values.push_back(one[i].Value);
-      }
-    }
-    std::sort(values.begin(), values.end());
-    const std::size_t middle = values.size() / 2;
-    median[i].Value = values.empty() ? std::nan("")
-      : values.size() % 2 == 1       ? values[middle]
-                                     : (values[middle - 1] + values[middle]) / 2;
-  }
-  return median;
-}
 
 //------------------------------------------------------------------------------
 double CountBytesRead()

@@ -28,9 +28,6 @@ struct Statistic
 
 using Statistics = std::vector<Statistic>;
 
-/** Returns the median of each statistic. All images have the same ones. */
-Statistics MedianOf(const std::vector<Statistics>& all);
-
 /** Returns the bytes that the program has read from files so far, or NaN if unknown. */
 double CountBytesRead();
 

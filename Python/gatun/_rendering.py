@@ -25,7 +25,7 @@ from ._transfer import make_property, parse_color
 if TYPE_CHECKING:
     from numpy.typing import DTypeLike
 
-_MESH_MODES = {"composite": 0, "mip": 1, "sampled": 100, "xray": 101}
+_MESH_MODES = {"composite": 0, "mip": 1, "xray": 101}
 _VOLUME_MODES = {"xray": 0, "exponential": 1, "composite": 2}
 _MOST_PIXELS = 32000
 _SAMPLES = 8  # of a pixel at the edges of triangles
@@ -225,7 +225,7 @@ def render(
         unit_distance: the length that opacities refer to, in units of the coordinates. Default: 1/100
             of the diagonal of the bounds.
         shade: whether meshes are shaded by a light at the camera.
-        blend: of meshes ``"composite"``, ``"mip"`` (maximum intensity), ``"xray"`` or ``"sampled"``;
+        blend: of meshes ``"composite"``, ``"mip"`` (maximum intensity) or ``"xray"``;
             of volumes ``"composite"``, ``"exponential"`` or ``"xray"``.
         ratio: fraction of points to remove first, 0 to 1. Above 0, a file must have a hierarchy.
         background: red, green and blue from 0 to 1, ``"#RRGGBB"``, ``"black"`` or ``"white"``. Default:

@@ -93,8 +93,8 @@ common = [
     ("gtn pack --keep-order=p" + TAB, ["pack", "--keep-order=points"]),
     ("gtn pack -q --spill fol" + TAB, ["pack", "-q", "--spill", "folder/"]),
     ("gtn volume pack --block w" + TAB, ["volume", "pack", "--block", "whole"]),
-    ("gtn render --tf cool" + TAB, ["render", "--tf", "cool-warm"]),
-    ("gtn render --tf opt" + TAB, ["render", "--tf", "options.json"]),
+    ("gtn render --mode xr" + TAB, ["render", "--mode", "xray"]),
+    ("gtn render --camera opt" + TAB, ["render", "--camera", "options.json"]),
     ("gtn info two" + TAB, ["info", "two words.gtn"]),
     ("gtn info --json mesh" + TAB, ["info", "--json", "mesh.gtn"]),
     # A number is typed.
@@ -106,7 +106,7 @@ common = [
 with open("gtn.bash", "w", encoding="ascii") as file:
     file.write("bind 'set enable-bracketed-paste off'\nbind 'set bell-style none'\n")
     file.write(FAKE + gtn("--completion", "bash"))
-commands = {"pack", "unpack", "info", "verify", "mesh", "render", "simplify", "contour", "volume", "bench"}
+commands = {"pack", "unpack", "info", "verify", "mesh", "render", "simplify", "contour", "volume"}
 bash = [
     *common,
     ("gtn " + ALL, commands),

@@ -44,7 +44,7 @@ try:
     gtn("unpack", "mesh.gtn", "small/new.vtu", code=1, says="gtn: small/new.vtu: ")
     gtn("unpack", "mesh.gtn", "small/new.vtk", code=1, says="gtn: small/new.vtk: ")
     gtn("render", "--size", "900x900", "--shade", "mesh.gtn", "small/new.png", code=1,
-        says="gtn: small/new.png: No space left on device")
+        says="gtn: small/new.png: no space left on the disk")
     assert os.listdir("small") == ["old.gtn"], os.listdir("small")
     with open("small/old.gtn") as file:
         assert file.read() == "old"

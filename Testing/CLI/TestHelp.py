@@ -13,7 +13,7 @@ from gatunCli import enter_folder, gtn
 enter_folder("help")
 gtn("--manual", ".")
 gtn("--manual", "missing", code=1, says="cannot be written")
-commands = ("pack", "unpack", "info", "verify", "mesh", "render", "simplify", "contour", "bench")
+commands = ("pack", "unpack", "info", "verify", "mesh", "render", "simplify", "contour")
 volume_commands = ("pack", "unpack", "info", "render")
 pages = {"gtn.1", "gtn-volume.1"}
 for words in [[c] for c in commands] + [["volume", c] for c in volume_commands]:

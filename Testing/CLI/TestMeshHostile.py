@@ -22,9 +22,9 @@ def faces(corner="{0}"):
     return ["f " + " ".join(corner.format(int(c), int(c) - 9) for c in q.split()) for q in QUADS]
 
 
-def accept(name, lines, end="\n"):
+def accept(name, lines, end="\n", says="tetrahedra"):
     save(name + ".obj", end.join(lines) + end)
-    gtn("mesh", "-f", name + ".obj", name + ".gtn", says="tetrahedra")
+    gtn("mesh", "-f", name + ".obj", name + ".gtn", says=says)
     info = json.loads(gtn("info", "--json", name + ".gtn"))
     assert info["bounds"] == [[-0.5, 0.5]] * 3 and info["tets"] >= 5
 
@@ -37,7 +37,9 @@ accept("negative", POINTS + faces("{1}/-1/-1"))
 accept("points-last", faces() + POINTS)
 accept("odd", ["# cube", "", "mtllib x.mtl", "o cube", "g", "s 1", "usemtl none", "vt 0 0", "vn 0 0 1"]
        + [line.replace(" ", "\t ") + " 1.0 # red" for line in POINTS]
-       + [line.replace(" 4", " \\\n4", 1) for line in faces("{0}/1/1")] + ["l 1 2", "p 1"])
+       + [line.replace(" 4", " \\\n4", 1) for line in faces("{0}/1/1")] + ["l 1 2", "p 1"],
+       says="not read of the file: groups, lines, materials, normals, points without faces, texture coordinates")
+accept("colors", [line + " 1 0 0" for line in POINTS] + faces(), says="not read of the file: colors")
 # A seam of the texture: the same point with two texture coordinates is one point.
 accept("seam", POINTS + ["vt 0 0", "vt 1 1"] + faces("{0}/1")[:3] + faces("{0}/2")[3:])
 

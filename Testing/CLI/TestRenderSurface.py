@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""gtn render draws surfaces: from a .gtn file as from other formats, in the colors of the transfer
-function, at the place where they are, over nothing or a background; and says why it cannot."""
+"""gtn render draws surfaces: from a .gtn file as from other formats, in colors by the values, at
+the place where they are, over nothing or a background; and says why it cannot."""
 
 import json
 import os
@@ -36,7 +36,7 @@ for writer, name in ((vtkXMLPolyDataWriter(), "ball.vtp"), (vtkPLYWriter(), "bal
     writer.Write()
 gtn("pack", "-q", "--chunk", "500", "--levels", "2", "ball.vtp", "ball.gtn")
 
-ARRAY = ("--array", "Elevation", "--tf", "gray", "--range", "-1,1")
+ARRAY = ("--array", "Elevation", "--range", "-1,1")
 gtn("render", *VIEW, *ARRAY, "ball.vtp", "vtp.png")
 gtn("render", *VIEW, *ARRAY, "ball.gtn", "gtn.png")
 from_vtp, from_gtn = read_png("vtp.png"), read_png("gtn.png")
@@ -61,7 +61,7 @@ gtn("render", *VIEW, *ARRAY, "--elevation", "0", "ball.gtn", "side.png")
 side = read_png("side.png")
 middle = SIZE // 2
 low, high = (side[int(middle + f * radius), middle, :3].mean() for f in (-0.5, 0.5))
-assert high > 1.5 * low, (low, high)
+assert high > 1.3 * low, (low, high)
 
 # Over a background, and as an .exr file with premultiplied colors.
 gtn("render", *VIEW, *ARRAY, "--background", "#00ff00", "ball.gtn", "green.png")
@@ -74,19 +74,17 @@ exr = read_exr("ball.exr", SIZE, SIZE)
 assert (exr[0, 0] == 0).all()
 assert (np.abs(255 * exr[:, :, :3] - from_gtn[:, :, :3]).max(2)[distance < radius - 2] <= 1).all()
 
-# Coarser, and without an array; several images.
+# Coarser, and without an array.
 gtn("render", *VIEW, *ARRAY, "--ratio", "0.9", "ball.gtn", "coarse.png")
 coarse = read_png("coarse.png")
 assert 0.8 < (coarse[:, :, 3] > 127).sum() / len(rows) < 1
 said = json.loads(gtn("render", *VIEW, *ARRAY, "--pixel-error", "0.5", "--json", "ball.gtn", "near.png"))
-points = said["images"][0]["drawnPoints"]
+points = said["statistics"]["drawnPoints"]
 assert 0 < points < ball.GetOutput().GetNumberOfPoints() / 2, said
 near = read_png("near.png")
 assert np.abs(near[:, :, :3] - from_gtn[:, :, :3]).mean() < 3
 assert (np.abs(near[:, :, 3] - alpha) > 127).mean() < 0.005
 gtn("render", *VIEW, "--array", "Normals", "--component", "magnitude", "ball.gtn", "normals.png")
-gtn("render", *VIEW, "--turntable", "3", "ball.gtn", "turn.png")
-assert os.path.exists("turn-002.png")
 said = json.loads(gtn("render", "--size", "60x60", "--json", "ball.gtn", "json.png"))
 assert said["cells"] == ball.GetOutput().GetNumberOfCells(), said
 gtn("render", *VIEW, "ball.ply", "ply.png")

@@ -43,7 +43,7 @@ for name in ("%s.png", "a%d_%d.png", "%", "%12345d.png"):
     fails("unpack", "in.ghv", name, code=2, says=name)
 fails("render", "in.ghv", "out.jpg", code=2, says="out.jpg: the name must end in .png or .exr")
 for option, text in (("--rotate", "1,2"), ("--rotate", "a,b,c"), ("--opacity-model", "magic"), ("--window", "2,1"),
-                     ("--padding", "9"), ("--method", "guess"), ("--kernel", "cubic"),
+                     ("--method", "guess"),
                      ("--size", "0x5"), ("--extinction", "-1"), ("--sample-distance", "0")):
     fails("render", f"{option}={text}", "in.ghv", "out.png", code=2, says=option)
 fails("render", "--rotate", "0,0,0", "--azimuth", 3, "in.ghv", "out.png", code=2, says="--rotate")

@@ -68,10 +68,6 @@ def VolumeXRay():
     return draw_volume(gs.ball_file("xray"), BlendMode=vtkGatunVolumeMapper.XRAY_BLEND)
 
 
-def VolumeSampled():
-    return draw_volume(gs.ball_file("sampled"), BlendMode=vtkGatunVolumeMapper.SAMPLED_BLEND)
-
-
 def VolumeSimplified():
     """A tenth of the points, by the hierarchy of the file."""
     return draw_volume(gs.ball_file("simplified", Hierarchy=True), SimplificationRatio=0.9)

@@ -30,10 +30,8 @@ OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
          "FrequencyWeight": [1.5], "ViewDirection": [1, 2, 3], "ViewUp": [0, 2, 1], "Zoom": [3],
          "Size": [64, 32], "OpacityModel": [1], "ColorMap": [3], "ValueRange": [-4, 9], "OpacityUnit": [5],
          "Extinction": [0.5], "Zero": [-3], "Window": [2, 7], "Background": [0.5, 0.25, 1],
-         "Method": [2], "Kernel": [1], "Padding": [4], "NumberOfPieces": [7], "SpillMemory": [8],
+         "Method": [2], "NumberOfPieces": [7], "SpillMemory": [8],
          "SpillFolder": ["some folder"], "MinTimeStep": [2], "MaxTimeStep": [5], "TimeStepStride": [3],
-         "DetailBounds": [6, 5, 4, 3, 2, 1], "DetailCenter": [1, 2, 3], "DetailRadius": [0.5],
-         "DetailRange": [-4, 9],
          "HartleyOpacityModel": [1], "HartleyMemoryBudget": [100],
          "PointError": [0.25], "RelativePointError": [0.125], "PointBits": [14], "Style": [1]}
 # Where people who open a file are better served by another default than programs: that of the class.

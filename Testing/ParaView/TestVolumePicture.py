@@ -2,11 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 """Gatun Volume shows the same of a mesh in memory and of a file on demand, on any number of ranks: the
-picture that `gtn render` made. On demand, only what is seen is read.
+picture that vtkGatunRayCaster made. On demand, only what is seen is read.
 
-Arguments: the picture, made of the mesh of gatunSample.py by
-gtn render --size 200x200 --background '#334c66' --array wave --camera C --tf T --unit-distance 3
-with what gatunVolume.py has as camera C and transfer function T.
+Arguments: the picture, of the mesh of gatunSample.py with the camera and the transfer function of gatunVolume.py.
 """
 
 import os

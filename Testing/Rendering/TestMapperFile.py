@@ -40,7 +40,7 @@ for one in (scene, memory):
     one.renderer.ResetCamera()
     gv.require_same(one.render(), one.render())
 gv.require_same(scene.render(), memory.render())
-for mode in "Composite", "MaximumIntensity", "Sampled", "XRay":
+for mode in "Composite", "MaximumIntensity", "XRay":
     for one in (scene, memory):
         getattr(one.mapper, "SetBlendModeTo" + mode)()
         one.look(1, 0.5, 2.2)

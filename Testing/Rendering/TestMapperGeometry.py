@@ -21,8 +21,7 @@ def expect(length, behind):
 
 def make_scene(parallel, **options):
     scene = gv.Scene(
-        gv.constant(), (101, 101), gv.make_property(((0, OPACITY), (1, OPACITY)), UNIT),
-        SampleDistance=0.001, **options)
+        gv.constant(), (101, 101), gv.make_property(((0, OPACITY), (1, OPACITY)), UNIT), **options)
     scene.look(parallel=parallel, distance=20)
     scene.camera.SetParallelScale(1)
     scene.camera.SetViewAngle(6)

@@ -88,7 +88,7 @@ cells = world.allgather(part.GetNumberOfCells())
 assert sum(cells) == whole_grid.GetNumberOfCells() and (cells[-1] == 0) == (ranks > 1), cells
 parallel, whole = make(part, True), make(whole_grid, False)
 both = (parallel, whole)
-for mode in (0, vtkGatunVolumeMapper.SAMPLED_BLEND, 1, vtkGatunVolumeMapper.XRAY_BLEND):
+for mode in (0, 1, vtkGatunVolumeMapper.XRAY_BLEND):
     for scene in both:
         scene.set(BlendMode=mode)
     require_same(*both)

@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingVolume import vtkVolumeMapper
 import gatunVolumes as gv
 
 MESH = gv.wave()
-MODES = {"Composite": 0, "MaximumIntensity": 1, "Sampled": 100, "XRay": 101}
+MODES = {"Composite": 0, "MaximumIntensity": 1, "XRay": 101}
 
 
 def compare(scene, **options):
@@ -49,15 +49,12 @@ for one in (scene.mapper, gv.make_caster(MESH)):
     for name, mode in MODES.items():
         getattr(one, "SetBlendModeTo" + name)()
         assert one.GetBlendMode() == mode, name
-    for mode in (-1, vtkVolumeMapper.MINIMUM_INTENSITY_BLEND, 99, 102):
+    for mode in (-1, vtkVolumeMapper.MINIMUM_INTENSITY_BLEND, 100, 102):
         before = one.GetMTime()
         one.SetBlendMode(mode)
         assert len(errors) == 1 and "not supported" in errors.pop(), mode
         assert one.GetBlendMode() == MODES["XRay"] and one.GetMTime() == before, mode
 assert scene.mapper.MAXIMUM_INTENSITY_BLEND == vtkVolumeMapper.MAXIMUM_INTENSITY_BLEND
-
-# Sample distance, in world units whatever the volume's scale.
-compare(gv.Scene(MESH, SampleDistance=0.07), SampleDistance=0.07)
 
 # Where the volume is: its own position, orientation and scale, and a matrix on top of it.
 scene = gv.Scene(MESH)

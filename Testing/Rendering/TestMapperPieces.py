@@ -64,7 +64,7 @@ for make in elevation, vtkPointDataToCellData:
     watched = Watched(make(), path)
     scene = watched.scene(NumberOfPieces=PIECES)
     assert np.allclose(scene.volume.GetBounds(), (0, 1, 0, 1, 0, 1))
-    for name in "Composite", "MaximumIntensity", "Sampled", "XRay":
+    for name in "Composite", "MaximumIntensity", "XRay":
         for one in (whole, scene):
             getattr(one.mapper, "SetBlendModeTo" + name)()
             one.look(1, 0.5)

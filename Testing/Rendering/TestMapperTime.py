@@ -56,5 +56,5 @@ mapper.SetImageSampleDistance(1)
 mapper.SetBlendModeToComposite()
 mapper.SetNumberOfPieces(1)
 assert mapper.GetMTime() == time
-mapper.SetBlendModeToSampled()
+mapper.SetBlendModeToXRay()
 assert mapper.GetMTime() > time

@@ -13,7 +13,7 @@ from gatun import vtkGatunReader, vtkGatunVolumeMapper
 
 MESH = gv.wave()
 OTHER = gv.wave(5, seed=3)
-MODES = "Composite", "MaximumIntensity", "Sampled", "XRay"
+MODES = "Composite", "MaximumIntensity", "XRay"
 
 
 # --------------------------------------------------------------------------------------------------

@@ -35,28 +35,24 @@ caster = gv.make_caster(grid)
 for size, clamped in ((0, 10), (1, 10)), ((-3, 10), (1, 10)), ((10, 40000), (10, 32000)):
     caster.SetSize(size)
     assert caster.GetSize() == clamped, size
-for name, low, high in (("SampleDistance", 0, None), ("OpacityLimit", 0, 1), ("TimeBudget", 0, 1e6),
-                        ("SimplificationRatio", 0, 1)):
+for name, low, high in (("OpacityLimit", 0, 1), ("TimeBudget", 0, 1e6), ("SimplificationRatio", 0, 1)):
     getattr(caster, "Set" + name)(-1)
     assert getattr(caster, "Get" + name)() == low, name
     getattr(caster, "Set" + name)(1e9)
-    assert getattr(caster, "Get" + name)() == (1e9 if high is None else high), name
+    assert getattr(caster, "Get" + name)() == high, name
 
 NAN = float("nan")
 for name, bad, right in (
-        ("SampleDistance", NAN, 0), ("OpacityLimit", NAN, 0.001), ("TimeBudget", NAN, 0),
+        ("OpacityLimit", NAN, 0.001), ("TimeBudget", NAN, 0),
         ("SimplificationRatio", NAN, 0), ("Camera", None, gv.box_camera()),
         ("Property", None, gv.box_property()), ("ArrayName", "nothing", None),
         ("ArrayComponent", 5, 0), ("ArrayAssociation", 1, -1)):
     caster = gv.make_caster(grid)
     if name == "ArrayAssociation":
         caster.SetArrayName("wave")
-    if name == "SampleDistance":
-        caster.SetBlendModeToSampled()  # the others have no sample distance
     getattr(caster, "Set" + name)(bad)
     expect_error(caster, name)
     getattr(caster, "Set" + name)(right)
-    caster.SetBlendModeToComposite()
     expect_good(caster)
 
 camera = gv.box_camera()

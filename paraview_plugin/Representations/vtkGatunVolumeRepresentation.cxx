@@ -100,18 +100,6 @@ vtkGatunVolumeRepresentation::vtkGatunVolumeRepresentation()
 vtkGatunVolumeRepresentation::~vtkGatunVolumeRepresentation() = default;
 
 //------------------------------------------------------------------------------
-void vtkGatunVolumeRepresentation::SetSampleDistance(double distance)
-{
-  this->VolumeMapper->SetSampleDistance(distance);
-}
-
-//------------------------------------------------------------------------------
-double vtkGatunVolumeRepresentation::GetSampleDistance()
-{
-  return this->VolumeMapper->GetSampleDistance();
-}
-
-//------------------------------------------------------------------------------
 void vtkGatunVolumeRepresentation::SetBlendMode(int mode)
 {
   this->VolumeMapper->SetBlendMode(mode);
@@ -211,55 +199,6 @@ void vtkGatunVolumeRepresentation::SetPixelError(double pixels)
 double vtkGatunVolumeRepresentation::GetPixelError()
 {
   return this->PixelError;
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunVolumeRepresentation::SetDetailBounds(
-  double xMin, double xMax, double yMin, double yMax, double zMin, double zMax)
-{
-  this->VolumeMapper->SetDetailBounds(xMin, xMax, yMin, yMax, zMin, zMax);
-}
-
-//------------------------------------------------------------------------------
-double* vtkGatunVolumeRepresentation::GetDetailBounds()
-{
-  return this->VolumeMapper->GetDetailBounds();
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunVolumeRepresentation::SetDetailCenter(double x, double y, double z)
-{
-  this->VolumeMapper->SetDetailCenter(x, y, z);
-}
-
-//------------------------------------------------------------------------------
-double* vtkGatunVolumeRepresentation::GetDetailCenter()
-{
-  return this->VolumeMapper->GetDetailCenter();
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunVolumeRepresentation::SetDetailRadius(double radius)
-{
-  this->VolumeMapper->SetDetailRadius(radius);
-}
-
-//------------------------------------------------------------------------------
-double vtkGatunVolumeRepresentation::GetDetailRadius()
-{
-  return this->VolumeMapper->GetDetailRadius();
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunVolumeRepresentation::SetDetailRange(double least, double most)
-{
-  this->VolumeMapper->SetDetailRange(least, most);
-}
-
-//------------------------------------------------------------------------------
-double* vtkGatunVolumeRepresentation::GetDetailRange()
-{
-  return this->VolumeMapper->GetDetailRange();
 }
 
 //------------------------------------------------------------------------------

@@ -62,17 +62,8 @@ public:
 
   ///@{
   /**
-   * Distance of the samples along a ray in world units, for SAMPLED_BLEND; 0: that of the rays at
-   * the camera's focal point. Default: 0.
-   */
-  void SetSampleDistance(double distance);
-  double GetSampleDistance();
-  ///@}
-
-  ///@{
-  /**
    * Blend mode of vtkGatunVolumeMapper: COMPOSITE_BLEND (0, the default), MAXIMUM_INTENSITY_BLEND
-   * (1), SAMPLED_BLEND (100) or XRAY_BLEND (101).
+   * (1) or XRAY_BLEND (101).
    */
   void SetBlendMode(int mode);
   int GetBlendMode();
@@ -136,15 +127,6 @@ public:
   vtkBooleanMacro(ViewDependent, bool);
   void SetPixelError(double pixels);
   double GetPixelError();
-  void SetDetailBounds(
-    double xMin, double xMax, double yMin, double yMax, double zMin, double zMax);
-  double* GetDetailBounds() VTK_SIZEHINT(6);
-  void SetDetailCenter(double x, double y, double z);
-  double* GetDetailCenter() VTK_SIZEHINT(3);
-  void SetDetailRadius(double radius);
-  double GetDetailRadius();
-  void SetDetailRange(double least, double most);
-  double* GetDetailRange() VTK_SIZEHINT(2);
   ///@}
 
   /**

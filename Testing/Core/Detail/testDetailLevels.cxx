@@ -93,11 +93,9 @@ RayView LookFrom(const Vec& eye, bool isParallel = false)
     500, 0.1 };
 }
 
-std::shared_ptr<const DetailView> MakeView(
-  const RayView& view, double pixelError = 0, DetailRegion region = {})
+std::shared_ptr<const DetailView> MakeView(const RayView& view, double pixelError = 0)
 {
-  return std::make_shared<const DetailView>(
-    DetailView{ view, pixelError, std::move(region), nullptr });
+  return std::make_shared<const DetailView>(DetailView{ view, pixelError, nullptr });
 }
 
 /** A cube with flat sides. */
@@ -317,44 +315,6 @@ TEST_P(DetailLevels, HaveAtMostThePixelErrorOfTheView)
   for (const double none : { 0.0, std::numeric_limits<double>::quiet_NaN() })
   {
     EXPECT_EQ(this->Make(this->GetPoints(), MakeView(everywhere, none)).Points, this->GetPoints());
-  }
-}
-
-TEST_P(DetailLevels, KeepRegions)
-{
-  DetailRegion box;
-  box.Box = Bounds{ { Range{ 3, 8 }, Range{ 2, 7 }, Range{ 4, 9 } } };
-  DetailRegion sphere;
-  sphere.Sphere = DetailSphere{ { 10, 11, 9 }, 4 };
-  const auto isIn = [](const DetailRegion& region, const Corners& tet)
-  {
-    return std::all_of(tet.begin(), tet.end(),
-      [&](const Vec& p)
-      {
-        if (region.Sphere)
-        {
-          const auto& c = region.Sphere->Center;
-          return std::hypot(p[0] - c[0], p[1] - c[1], p[2] - c[2]) <= region.Sphere->Radius - 1;
-        }
-        return p[0] >= 4 && p[0] <= 7 && p[1] >= 3 && p[1] <= 6 && p[2] >= 5 && p[2] <= 8;
-      });
-  };
-  const auto whole = GetTets(*this->Make(this->GetPoints(), nullptr).Source);
-  for (const DetailRegion& region : { box, sphere })
-  {
-    const auto points = this->GetPoints() / 30;
-    const auto tets =
-      GetTets(*this->Make(points, MakeView(LookFrom({ S / 2, S / 2, 4 * S }), 0, region)).Source);
-    ExpectToFill(tets);
-    EXPECT_LT(tets.size(), whole.size());
-    std::vector<Corners> kept;
-    std::vector<Corners> fine;
-    std::copy_if(tets.begin(), tets.end(), std::back_inserter(kept),
-      [&](const Corners& tet) { return isIn(region, tet); });
-    std::copy_if(whole.begin(), whole.end(), std::back_inserter(fine),
-      [&](const Corners& tet) { return isIn(region, tet); });
-    EXPECT_FALSE(fine.empty());
-    EXPECT_TRUE(kept == fine);
   }
 }
 

@@ -182,7 +182,7 @@ TEST(LevelOfDetailCache, LevelsWithFewerPointsThanWantedAreReady)
   {
     const RayView view(
       { { { 1, 0, 0, x }, { 0, 1, 0, 0 }, { 0, 0, 1, -4 } } }, RayFrustum{}, 8, 8, 1);
-    return std::make_shared<DetailView>(DetailView{ view, error, {}, nullptr });
+    return std::make_shared<DetailView>(DetailView{ view, error, nullptr });
   };
   Sample sample;
   const auto levels = sample.Make();

@@ -182,14 +182,13 @@ TEST(Framing, BoxesStandForBlocksThatAreNotAvailable)
   }
 }
 
-TEST(Framing, ATurntableShowsEverythingInAllImages)
+TEST(Framing, AGivenPointIsInTheMiddle)
 {
   std::mt19937 random(10);
   const auto cloud = MakeCloud(random, 300);
   const PointBlocks points(cloud);
   for (const bool parallel : { false, true })
   {
-    std::vector<FramingView> views;
     for (int i = 0; i < 12; ++i)
     {
       FramingView view;
@@ -198,17 +197,11 @@ TEST(Framing, ATurntableShowsEverythingInAllImages)
       view.Right = { std::cos(angle), 0, -std::sin(angle) };
       view.IsParallel = parallel;
       view.Aspect = 1.5;
-      views.push_back(view);
+      const Point middle{ 1000, -299, 20 };
+      const Framing framing = FrameAround(points, middle, view);
+      EXPECT_EQ(framing.FocalPoint, middle);
+      EXPECT_NEAR(Seen(cloud, view, framing).GetLargest(), FramingFill, 1e-6);
     }
-    const Point middle{ 1000, -299, 20 };
-    const Framing framing = FrameAround(points, middle, views);
-    EXPECT_EQ(framing.FocalPoint, middle);
-    double largest = 0;
-    for (const FramingView& view : views)
-    {
-      largest = std::max(largest, Seen(cloud, view, framing).GetLargest());
-    }
-    EXPECT_NEAR(largest, FramingFill, 1e-6);
   }
 }
 
@@ -224,7 +217,7 @@ TEST(Framing, WhatHasNoExtentIsSeen)
       FramingView view; // along the line
       view.IsParallel = parallel;
       for (const Framing& framing :
-        { FrameObject(points, view), FrameAround(points, { 3, 4, 5 }, { &view, 1 }) })
+        { FrameObject(points, view), FrameAround(points, { 3, 4, 5 }, view) })
       {
         const Seen seen(cloud, view, framing);
         EXPECT_LE(seen.GetLargest(), 2e-3);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef gtnTurntable_h
-#define gtnTurntable_h
+#ifndef gtnRenderImage_h
+#define gtnRenderImage_h
 
-// The loop over the images that a command renders: one, or those of a turntable.
+// What the commands that render have in common: the image and what is printed of it.
 
 #include "gtnImageOptions.h"
 #include "gtnRenderStatistics.h"
@@ -13,7 +13,6 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
 class vtkCamera;
 class vtkGatunDefaults;
@@ -30,33 +29,27 @@ struct Renderer
   gatun::Bounds Bounds;
   vtkGatunDefaults* Defaults = nullptr; ///< for the camera
   std::function<vtkImageData*(vtkCamera* camera, Progress& progress)> Render;
-  std::function<Statistics()> GetStatistics; ///< of the last image
+  std::function<Statistics()> GetStatistics; ///< of the image
 };
 
 struct RenderedImage
 {
-  std::string File;
   vtkSmartPointer<vtkCamera> Camera;
-  Statistics Taken; ///< seconds and bytes read, and the statistics of the renderer
-};
-
-struct RenderedImages
-{
-  std::vector<RenderedImage> Images;
+  Statistics Taken;      ///< seconds and bytes read, and the statistics of the renderer
   double PeakMemory = 0; ///< while rendering, in bytes
 };
 
-/** Throws UsageError or Failure if the images cannot be written by their names. */
-void CheckImages(const ImageOptions& options);
+/** Throws UsageError or Failure if the image cannot be written by its name. */
+void CheckImage(const ImageOptions& options);
 
-/** Renders and writes all images. */
-RenderedImages RenderImages(
+/** Renders and writes the image. */
+RenderedImage RenderImage(
   const ImageOptions& options, const Settings& settings, const Renderer& renderer);
 
-/** Prints a line, and statistics if they are wanted; or adds all images to the JSON and prints it.
+/** Prints a line, and statistics if they are wanted; or adds the image to the JSON and prints it.
  * What: the rendered data, for the line. */
-void PrintImages(const ImageOptions& options, const Settings& settings,
-  const RenderedImages& rendered, const std::string& what, Json::Value json);
+void PrintImage(const ImageOptions& options, const Settings& settings,
+  const RenderedImage& rendered, const std::string& what, Json::Value json);
 }
 
 #endif
