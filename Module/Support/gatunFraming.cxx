@@ -299,9 +299,8 @@ Framing FrameAround(
     scale = distance * view.TangentOfHalfAngle;
   }
   framing.ParallelScale = scale > 0 ? scale : diagonal;
-  framing.Distance = IsPoint(points.GetBounds())
-    ? std::max(distance, diagonal / view.TangentOfHalfAngle)
-    : distance;
+  framing.Distance =
+    IsPoint(points.GetBounds()) ? std::max(distance, diagonal / view.TangentOfHalfAngle) : distance;
   return framing;
 }
 }

@@ -27,7 +27,8 @@ using namespace gatun;
 using namespace gatun::test;
 
 /** Encodes and decodes values by all modes. Returns the spatial mode. */
-SpatialMode ExpectStreamRoundTrip(const ChunkMesh& mesh, const Domain& domain, const ComponentKeys& truth)
+SpatialMode ExpectStreamRoundTrip(
+  const ChunkMesh& mesh, const Domain& domain, const ComponentKeys& truth)
 {
   std::vector<ComponentKeys> keys{ truth };
   const FloatEnvironment guard;
