@@ -54,7 +54,7 @@ for mesh in ("Post", "Delaunay"):
     for geometry in ("", "Ball"):
         if geometry:
             simple.Show(ball, view)
-        for mode in (0, 100, 1, 101):
+        for mode in (0, 1, 101):
             shown.BlendMode = mode
             check("%s%s%d" % (mesh, geometry, mode))
         shown.BlendMode = 0
