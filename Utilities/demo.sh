@@ -19,7 +19,7 @@ python=${GATUN_PYTHON:-/usr/bin/python3}
 modules=$(echo "$build"/lib*/python3*/*-packages)
 export PYTHONPATH=$modules${PYTHONPATH:+:$PYTHONPATH}
 export PYTHONDONTWRITEBYTECODE=1
-export GATUN_GTN=$build/bin/gtn
+export GATUN_TEST_GTN=$build/bin/gtn
 
 run=("$python" "$root/Utilities/demo/demo.py" --output "$build/demo" "$@")
 if [ -z "${DISPLAY:-}" ]; then

@@ -23,7 +23,7 @@ out=${2:-$root/Documentation/images/guide}
 modules=$(echo "$build"/lib*/python3*/*-packages)
 export PYTHONPATH=$modules${PYTHONPATH:+:$PYTHONPATH}
 export PYTHONDONTWRITEBYTECODE=1
-export GATUN_GTN=$build/bin/gtn
+export GATUN_TEST_GTN=$build/bin/gtn
 
 case $what in
   all) parts=(figures record gallery) ;;

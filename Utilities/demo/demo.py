@@ -6,7 +6,7 @@
     demo.py [--size small|full] [--output FOLDER] [FILE]
 
 FILE is a mesh that `gtn pack` takes; without it, a machine part is made and put under load.
-GATUN_GTN in the environment names the gtn program.
+GATUN_TEST_GTN in the environment names the gtn program.
 """
 
 import argparse

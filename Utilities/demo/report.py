@@ -27,7 +27,7 @@ class Report:
     def gtn(self, *arguments):
         """Runs gtn; returns what it printed and the seconds it took. What goes wrong it says itself."""
         start = time.monotonic()
-        run = subprocess.run([os.environ["GATUN_GTN"], *map(str, arguments)], check=False,
+        run = subprocess.run([os.environ["GATUN_TEST_GTN"], *map(str, arguments)], check=False,
                              stdout=subprocess.PIPE, universal_newlines=True)
         if run.returncode:
             raise SystemExit(run.returncode)

@@ -6,7 +6,7 @@
 
     gallery.py [FOLDER]      default: Documentation/images/guide
 
-GATUN_GTN in the environment names the gtn program. Needs pngquant."""
+GATUN_TEST_GTN in the environment names the gtn program. Needs pngquant."""
 
 import os
 import pathlib
@@ -31,7 +31,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="gatun-guide-") as work:
         subprocess.run([sys.executable, str(ROOT / gatunGuide.SAMPLES), work, SIZE], check=True)
         (pathlib.Path(work) / "bin").mkdir()
-        os.symlink(os.environ["GATUN_GTN"], os.path.join(work, "bin", "gtn"))
+        os.symlink(os.environ["GATUN_TEST_GTN"], os.path.join(work, "bin", "gtn"))
         environment = dict(os.environ, PATH=f"{work}/bin:{os.environ['PATH']}")
         for block in gatunGuide.blocks_of(page):
             if gatunGuide.run_shell(block, work, environment, None) is None:

@@ -8,7 +8,7 @@ saves screenshots. Utilities/guide.sh calls it.
     record.py [--work FOLDER] [FOLDER]
 
 FOLDER gets the pictures (default: Documentation/images/guide), the folder of --work the meshes, which are made
-where they are missing. GATUN_GTN in the environment names the gtn program. Needs the ParaView build, Xvfb,
+where they are missing. GATUN_TEST_GTN in the environment names the gtn program. Needs the ParaView build, Xvfb,
 openbox, xdotool, ImageMagick, pngquant and python3-pyatspi."""
 
 import argparse
@@ -27,7 +27,7 @@ SCREEN = (1280, 820)
 
 
 def gtn(*arguments):
-    subprocess.run([os.environ["GATUN_GTN"], *map(str, arguments)], check=True)
+    subprocess.run([os.environ["GATUN_TEST_GTN"], *map(str, arguments)], check=True)
 
 
 def make_meshes(folder):

@@ -245,7 +245,7 @@ def try_way(inputs, folder, way, choice, seconds):
 
 def try_program(inputs, folder, choice, seconds):
     """gtn in place of this process."""
-    gtn = os.environ["GATUN_GTN"]
+    gtn = os.environ["GATUN_TEST_GTN"]
     both = [inputs / f"{name}.gtn" for name in "ab"]
     path, out = folder / "program.gtn", folder / "out.vtu"
 

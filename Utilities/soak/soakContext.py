@@ -85,7 +85,7 @@ class Context:
         paths += [os.environ["PYTHONPATH"]] if "PYTHONPATH" in os.environ else []
         paths += [str(ROOT / "Testing" / folder) for folder in ("IO", "Python", "CLI")]
         return {**os.environ, "PYTHONPATH": ":".join(paths), "PYTHONDONTWRITEBYTECODE": "1",
-                "GATUN_GTN": str(self.gtn), "GATUN_TEST_TEMP": str(self.scratch),
+                "GATUN_TEST_GTN": str(self.gtn), "GATUN_TEST_TEMP": str(self.scratch),
                 **{name: str(value) for name, value in more.items()}}
 
     def python(self, program, *arguments, timeout=TIMEOUT, **more):
