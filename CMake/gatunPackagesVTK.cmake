@@ -82,8 +82,7 @@ if (GATUN_WRAP_PYTHON)
                 ${gatun_python_depends}
                 python3-numpy
                 "python3-vtk9 (>= ${VTK_VERSION})" "python3-vtk9 (<< ${gatun_next_vtk})"
-    RECOMMENDS  gatun
-    SUGGESTS    python3-gatun-tetgen
+    SUGGESTS    gatun python3-gatun-tetgen
     CONTROL     "${gatun_packaging_folder}/debian/python/postinst"
                 "${gatun_packaging_folder}/debian/python/prerm")
   if (GATUN_ENABLE_TETGEN)

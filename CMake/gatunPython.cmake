@@ -21,11 +21,6 @@ function (gatun_add_python_package)
   endforeach ()
   list(TRANSFORM names REPLACE "(.+)" "    \"\\1\"," OUTPUT_VARIABLE gatun_python_modules)
   list(JOIN gatun_python_modules "\n" gatun_python_modules)
-  set(gatun_python_program)
-  if (TARGET gtn OR NOT GATUN_BUILD_PARAVIEW_PLUGIN)
-    file(RELATIVE_PATH gatun_python_program
-      "/prefix/${arg_DESTINATION}/gatun" "/prefix/${CMAKE_INSTALL_BINDIR}/gtn")
-  endif ()
   configure_file("${source}/gatun/_build.py.in" "${folder}/_build.py" @ONLY)
   set(files "${folder}/_build.py")
 

@@ -272,7 +272,7 @@ function (gatun_add_python_test file)
     ENVIRONMENT
       "PYTHONPATH=${gatun_python_path}:${CMAKE_CURRENT_SOURCE_DIR}:${PROJECT_SOURCE_DIR}/Testing/IO:${PROJECT_SOURCE_DIR}/Testing/Filters"
       "PYTHONDONTWRITEBYTECODE=1"
-      "GATUN_GTN=$<TARGET_FILE:gtn>"
+      "GATUN_TEST_GTN=$<TARGET_FILE:gtn>"
       ${gatun_mpi_environment}
     ${rest})
 endfunction ()

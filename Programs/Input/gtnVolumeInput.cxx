@@ -14,6 +14,8 @@
 #include "gtnSlices.h"
 #include "gtnText.h"
 
+#include "gatunVolumeDescription.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -157,6 +159,6 @@ vtkSmartPointer<vtkImageData> ReadVolume(
 //------------------------------------------------------------------------------
 std::string SizeOf(const std::array<std::uint32_t, 3>& size)
 {
-  return fmt::format("{} x {} x {}", size[0], size[1], size[2]);
+  return gatun::DescribeVoxels(size);
 }
 }

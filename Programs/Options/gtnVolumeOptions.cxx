@@ -4,13 +4,13 @@
 #include "gtnVolumeOptions.h"
 
 #include "gtnParse.h"
-#include "gtnText.h"
+
+#include "gatunVolumeDescription.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <array>
-#include <cmath>
 #include <limits>
 
 namespace gtn
@@ -90,44 +90,24 @@ void AddCompression(CLI::App* command, CompressionOptions& options, const char* 
 //------------------------------------------------------------------------------
 const char* NameOf(Mode mode)
 {
-  constexpr std::array<const char*, 4> names{ "quality", "rmsError", "psnr", "bitsPerVoxel" };
-  return names.at(static_cast<std::size_t>(mode));
+  return gatun::NameOfRateMode(mode);
 }
 
 //------------------------------------------------------------------------------
 std::string Describe(const gatun::HartleyRateControl& control)
 {
-  const std::string weight = control.FrequencyWeight > 0
-    ? fmt::format(", frequency weight {:.4g}", control.FrequencyWeight)
-    : "";
-  switch (control.Mode)
-  {
-    case Mode::RMSError:
-      return fmt::format("RMS error up to {:.4g}{}", control.Value, weight);
-    case Mode::PSNR:
-      return fmt::format("PSNR of at least {:.4g} dB{}", control.Value, weight);
-    case Mode::BitsPerVoxel:
-      return fmt::format("{:.4g} bits per voxel{}", control.Value, weight);
-    case Mode::Quality:
-      break;
-  }
-  return fmt::format("quality {:.4g}{}", control.Value, weight);
+  return gatun::DescribeRate(control);
 }
 
 //------------------------------------------------------------------------------
 std::string DescribeBlocks(const gatun::HartleyLayout& layout)
 {
-  const auto& block = layout.Block;
-  const std::string size = fmt::format("{} x {} x {}", block[0], block[1], block[2]);
-  return layout.IsWhole()
-    ? fmt::format("one block of {} voxels", size)
-    : fmt::format("{} blocks of {} voxels", Grouped(layout.GetNumberOfBlocks()), size);
+  return gatun::DescribeVolumeBlocks(layout);
 }
 
 //------------------------------------------------------------------------------
 double PeakSignalToNoise(const gatun::Range& range, double rootMeanSquareError)
 {
-  return rootMeanSquareError > 0 ? 20 * std::log10((range.Max - range.Min) / rootMeanSquareError)
-                                 : std::numeric_limits<double>::infinity();
+  return gatun::ComputePeakSignalToNoise(range, rootMeanSquareError);
 }
 }

@@ -11,7 +11,6 @@
 #include <cmath>
 #include <fstream>
 #include <string_view>
-#include <utility>
 
 namespace gtn
 {
@@ -39,43 +38,18 @@ std::string FirstOf(const std::string& errors)
     : Printable(place + ": " + errors.substr(from, to - from - (errors[to - 1] == '.' ? 1 : 0)));
 }
 
-// Infinity would be written as 1e+9999, which some programs refuse.
-Json::Value WithFiniteNumbers(Json::Value value)
-{
-  if (value.isDouble() && !std::isfinite(value.asDouble()))
-  {
-    return {};
-  }
-  if (value.isArray() || value.isObject())
-  {
-    for (Json::Value& part : value)
-    {
-      part = WithFiniteNumbers(std::move(part));
-    }
-  }
-  return value;
-}
-
-std::string Written(const Json::Value& value, const char* indentation)
-{
-  Json::StreamWriterBuilder builder;
-  builder["indentation"] = indentation;
-  builder["enableYAMLCompatibility"] = true; // a colon, and no space before it
-  return Json::writeString(builder, WithFiniteNumbers(value));
-}
-
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
 std::string JsonText(const Json::Value& value)
 {
-  return Written(value, "  ") + "\n";
+  return gatun::WriteJson(value);
 }
 
 //------------------------------------------------------------------------------
 std::string JsonLine(const Json::Value& value)
 {
-  return Written(value, "");
+  return gatun::WriteJsonLine(value);
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,8 @@
 // JSON as text and as files. The values themselves are those of jsoncpp, which keeps the members of
 // an object in alphabetical order.
 
+#include "gatunDescription.h"
+
 #include "vtk_jsoncpp.h"
 
 #include <string>
@@ -25,12 +27,7 @@ std::string JsonLine(const Json::Value& value);
 template <typename Elements>
 Json::Value JsonArray(const Elements& elements)
 {
-  Json::Value array(Json::arrayValue);
-  for (const auto& element : elements)
-  {
-    array.append(element);
-  }
-  return array;
+  return gatun::MakeJsonArray(elements);
 }
 
 /** Reads a file. Returns false, and sets the reason, if it is not JSON. */

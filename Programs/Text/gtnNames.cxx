@@ -5,7 +5,7 @@
 
 #include "gtnText.h"
 
-#include "vtkCellTypes.h"
+#include "gatunDescriptionText.h"
 
 #include <fmt/core.h>
 
@@ -16,37 +16,13 @@ namespace gtn
 //------------------------------------------------------------------------------
 const char* NameOf(gatun::ScalarType type)
 {
-  switch (type)
-  {
-    case gatun::ScalarType::Int8:
-      return "int8";
-    case gatun::ScalarType::UInt8:
-      return "uint8";
-    case gatun::ScalarType::Int16:
-      return "int16";
-    case gatun::ScalarType::UInt16:
-      return "uint16";
-    case gatun::ScalarType::Int32:
-      return "int32";
-    case gatun::ScalarType::UInt32:
-      return "uint32";
-    case gatun::ScalarType::Int64:
-      return "int64";
-    case gatun::ScalarType::UInt64:
-      return "uint64";
-    case gatun::ScalarType::Float32:
-      return "float32";
-    case gatun::ScalarType::Float64:
-      return "float64";
-  }
-  return "unknown";
+  return gatun::NameOfType(type);
 }
 
 //------------------------------------------------------------------------------
 std::string NameOfCell(int type)
 {
-  const std::string name = vtkCellTypes::GetClassNameFromTypeId(type);
-  return name == "UnknownClass" ? fmt::format("of type {}", type) : name;
+  return gatun::NameOfCellType(type);
 }
 
 //------------------------------------------------------------------------------
@@ -67,19 +43,6 @@ std::string ListCells(const gatun::FileReader& file)
 //------------------------------------------------------------------------------
 std::string NameOfOrder(std::uint8_t kept)
 {
-  std::vector<std::string> parts;
-  if (kept & gatun::KeepPoints)
-  {
-    parts.emplace_back("points");
-  }
-  if (kept & gatun::KeepCells)
-  {
-    parts.emplace_back("cells");
-  }
-  if (kept & gatun::KeepCorners)
-  {
-    parts.emplace_back("corners");
-  }
-  return parts.empty() ? "none" : Joined(parts);
+  return gatun::NameOfKeptOrder(kept);
 }
 }

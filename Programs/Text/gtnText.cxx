@@ -5,11 +5,9 @@
 
 #include "gtnFailure.h"
 
+#include "gatunDescriptionText.h"
 #include "gatunPrintable.h"
 
-#include <fmt/core.h>
-
-#include <algorithm>
 #include <filesystem>
 #include <new>
 
@@ -42,66 +40,31 @@ const char* ReasonOf(const std::exception& error) noexcept
 //------------------------------------------------------------------------------
 std::string Printable(std::string_view text)
 {
-  std::string line(text);
-  std::replace_if(
-    line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
-  return gatun::MakePrintable(line);
+  return gatun::MakePrintableLine(text);
 }
 
 //------------------------------------------------------------------------------
 std::string Grouped(std::uint64_t number)
 {
-  const std::string digits = std::to_string(number);
-  std::string grouped;
-  for (std::size_t i = 0; i < digits.size(); ++i)
-  {
-    if (i > 0 && (digits.size() - i) % 3 == 0)
-    {
-      grouped += ',';
-    }
-    grouped += digits[i];
-  }
-  return grouped;
+  return gatun::GroupDigits(number);
 }
 
 //------------------------------------------------------------------------------
 std::string ByteSize(std::uint64_t bytes)
 {
-  if (bytes < 1024)
-  {
-    return fmt::format("{} B", bytes);
-  }
-  double size = static_cast<double>(bytes) / 1024;
-  for (const char* unit : { "KiB", "MiB", "GiB" })
-  {
-    if (size < 1024)
-    {
-      return fmt::format("{:.{}f} {}", size, size < 100 ? 1 : 0, unit);
-    }
-    size /= 1024;
-  }
-  return fmt::format("{:.1f} TiB", size);
+  return gatun::DescribeByteSize(bytes);
 }
 
 //------------------------------------------------------------------------------
 std::string Number(double value)
 {
-  return fmt::format("{}", value);
+  return gatun::DescribeNumber(value);
 }
 
 //------------------------------------------------------------------------------
 std::string Joined(const std::vector<std::string>& parts, std::string_view separator)
 {
-  std::string all;
-  for (const std::string& part : parts)
-  {
-    if (&part != &parts.front())
-    {
-      all += separator;
-    }
-    all += part;
-  }
-  return all;
+  return gatun::Join(parts, separator);
 }
 
 //------------------------------------------------------------------------------

@@ -57,7 +57,7 @@ def _observe(observed, event, messages):
 
 def _make_error(algorithm, messages, remarks):
     """The exception for the messages of an algorithm, or else for those of its executive."""
-    code = algorithm.GetErrorCode() if isinstance(algorithm, vtkAlgorithm) else 0
+    code = algorithm.GetErrorCode() if hasattr(algorithm, "GetErrorCode") else 0
     codes = get_class("vtkGatunErrorCode")
     # The executive adds that the request has failed.
     messages = messages or remarks

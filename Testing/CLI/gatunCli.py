@@ -16,7 +16,7 @@ from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkUnstructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
 
-PROGRAM = os.environ["GATUN_GTN"]
+PROGRAM = os.environ["GATUN_TEST_GTN"]
 
 
 def skip(why):

@@ -13,7 +13,7 @@ LOOK = ["--size", f"{gs.SIZE}x{gs.SIZE}"]
 
 
 def gtn(*arguments):
-    subprocess.run([os.environ["GATUN_GTN"], *map(str, arguments)], check=True, timeout=120)
+    subprocess.run([os.environ["GATUN_TEST_GTN"], *map(str, arguments)], check=True, timeout=120)
 
 
 def render(name, *arguments, **options):

@@ -29,7 +29,7 @@ def gtn_says(command, data):
     with open(path, "wb") as file:
         file.write(data)
     run = subprocess.run(
-        [os.environ["GATUN_GTN"], command, path],
+        [os.environ["GATUN_TEST_GTN"], command, path],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         universal_newlines=True,

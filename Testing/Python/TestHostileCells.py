@@ -37,7 +37,7 @@ def gtn_says(data):
     with open(path, "wb") as file:
         file.write(data)
     run = subprocess.run(
-        [os.environ["GATUN_GTN"], "verify", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        [os.environ["GATUN_TEST_GTN"], "verify", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
         universal_newlines=True, check=False, timeout=60)
     assert run.returncode == (1 if run.stderr else 0), (run.returncode, run.stderr)
     return run.stderr

@@ -197,13 +197,28 @@ for mode, (name, value) in enumerate(
     with open(path, "rb") as a, open(find("reference.ghv"), "rb") as b:
         assert a.read() == b.read(), option
 
-# gatun.info says what the program says.
-for name, command in (("all.gtn", ["info"]), ("volume.ghv", ["volume", "info"])):
+# gatun.info says what the program says, and does not run it.
+def refuse(*_, **__):
+    raise AssertionError("a program is run")
+
+
+for name, command in (
+    ("all.gtn", ["info"]),
+    ("error.gtn", ["info"]),
+    ("levels.gtn", ["info"]),
+    ("more.gtn", ["info"]),
+    ("moving.gtn", ["info"]),
+    ("surface.gtn", ["info"]),
+    ("volume.ghv", ["volume", "info"]),
+):
     told = subprocess.run(
-        [os.environ["GATUN_GTN"], *command, "--json", find(name)],
+        [os.environ["GATUN_TEST_GTN"], *command, "--json", find(name)],
         stdout=subprocess.PIPE,
         check=True,
     )
-    assert gatun.info(find(name)) == json.loads(told.stdout)
+    run, subprocess.Popen = subprocess.Popen, refuse
+    contents = gatun.info(find(name))
+    subprocess.Popen = run
+    assert contents == json.loads(told.stdout), name
 contents = gatun.info(find("all.gtn"))
 assert contents["points"] == len(points) and contents["tets"] == len(tets)

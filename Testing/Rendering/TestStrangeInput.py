@@ -217,7 +217,7 @@ def render(grid, code=0):
     writer.SetFileName(mesh)
     writer.Write()
     run = subprocess.run(
-        [os.environ["GATUN_GTN"], "render", "-q", "--size", "%dx%d" % SIZE, "--array", "values",
+        [os.environ["GATUN_TEST_GTN"], "render", "-q", "--size", "%dx%d" % SIZE, "--array", "values",
          "--range", "0,1", "--unit-distance", "0.2", "--camera", LOOK, mesh, picture],
         stderr=subprocess.PIPE, check=False, timeout=60, universal_newlines=True)
     assert run.returncode == code, run

@@ -43,7 +43,7 @@ def numbers_of(array):
 def gtn(words, *rest):
     """Runs gtn, which itself says what goes wrong. Returns what it printed, and seconds."""
     start = time.monotonic()
-    command = [os.environ["GATUN_GTN"], *words.split(), *rest]
+    command = [os.environ["GATUN_TEST_GTN"], *words.split(), *rest]
     run = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=False)
     if run.returncode:
         raise SystemExit(run.returncode)

@@ -1,25 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gtnLayers.h"
+#include "gatunLayerDescription.h"
 
-#include "gtnText.h"
-
-#include <fmt/core.h>
+#include "gatunDescriptionText.h"
 
 #include <map>
 #include <string>
 #include <vector>
 
-namespace gtn
+namespace gatun
 {
 namespace
 {
-const char* NameOf(gatun::LayerSpacing spacing)
+const char* NameOfSpacing(LayerSpacing spacing)
 {
-  return spacing == gatun::LayerSpacing::Uniform ? "uniform"
-    : spacing == gatun::LayerSpacing::Normal     ? "normal"
-    : spacing == gatun::LayerSpacing::Histogram  ? "histogram"
-                                                 : "other";
+  return spacing == LayerSpacing::Uniform ? "uniform"
+    : spacing == LayerSpacing::Normal     ? "normal"
+    : spacing == LayerSpacing::Histogram  ? "histogram"
+                                          : "other";
 }
 
 /** The chunks whose values are in the same number of layers. */
@@ -29,10 +27,10 @@ struct Spanning
   std::uint64_t Tets = 0;
 };
 
-std::map<std::uint32_t, Spanning> SpansOf(const gatun::FileReader& file)
+std::map<std::uint32_t, Spanning> SpansOf(const FileReader& file)
 {
   std::map<std::uint32_t, Spanning> spans;
-  const gatun::Layers& layers = file.GetLayers();
+  const Layers& layers = file.GetLayers();
   for (std::uint32_t chunk = 0; chunk < layers.Chunks.size(); ++chunk)
   {
     Spanning& span = spans[layers.Chunks[chunk].Last - layers.Chunks[chunk].First + 1];
@@ -43,7 +41,7 @@ std::map<std::uint32_t, Spanning> SpansOf(const gatun::FileReader& file)
 }
 
 /** Returns the bytes of the mesh and, if it has values, of the array at the first step. */
-std::uint64_t BytesOf(const gatun::FileReader& file, const Spanning& span)
+std::uint64_t BytesOf(const FileReader& file, const Spanning& span)
 {
   const std::uint32_t array = file.GetLayers().Array;
   return file.GetNumberOfSteps() > 0 ? file.GetPieceBytes(span.Chunks, { &array, 1 }, 0)
@@ -52,23 +50,23 @@ std::uint64_t BytesOf(const gatun::FileReader& file, const Spanning& span)
 }
 
 //------------------------------------------------------------------------------
-void DescribeLayers(const gatun::FileReader& file, Description& description)
+void DescribeLayers(const FileReader& file, Description& description)
 {
-  const gatun::Layers& layers = file.GetLayers();
-  const gatun::ArrayDescription& array = file.GetArrays()[layers.Array];
+  const Layers& layers = file.GetLayers();
+  const ArrayDescription& array = file.GetArrays()[layers.Array];
   const bool isMagnitude = layers.Component < 0;
   Description& part = description.AddPart("layers", "layers");
   part.Add("array", "array", Entry(array.Name));
   part.Add("component", array.Components == 1 ? nullptr : "component",
     isMagnitude ? Entry("magnitude") : Entry(layers.Component));
-  part.Add("spacing", "spacing", Entry(NameOf(layers.Spacing)));
+  part.Add("spacing", "spacing", Entry(NameOfSpacing(layers.Spacing)));
   part.Add("count", "count", Entry(layers.GetCount()));
   std::vector<std::string> bounds;
   for (const double bound : layers.Bounds)
   {
-    bounds.push_back(fmt::format("{:.6g}", bound));
+    bounds.push_back(DescribeNumber(bound, 6));
   }
-  part.Add("bounds", "bounds", { JsonArray(layers.Bounds), Joined(bounds) });
+  part.Add("bounds", "bounds", { MakeJsonArray(layers.Bounds), Join(bounds) });
 
   Table spans{ "spans", "chunks by the number of layers that their values are in",
     { { "layers", "layers" }, { "chunks", "chunks" }, { "tets", "tetrahedra" },

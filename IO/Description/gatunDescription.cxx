@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gtnDescription.h"
+#include "gatunDescription.h"
 
-#include "gtnText.h"
-
-#include <fmt/core.h>
+#include "gatunDescriptionText.h"
 
 #include <algorithm>
+#include <cmath>
 
-namespace gtn
+namespace gatun
 {
 namespace
 {
@@ -41,8 +40,9 @@ std::string TextOf(const Table& table)
     {
       if (table.Columns[i].Title)
       {
-        text += table.Columns[i].IsNumber ? fmt::format("  {:>{}}", textOf(i), widths[i])
-                                          : fmt::format("  {:<{}}", textOf(i), widths[i]);
+        const std::string cell = textOf(i);
+        const std::string space(widths[i] - std::min(widths[i], cell.size()), ' ');
+        text += "  " + (table.Columns[i].IsNumber ? space + cell : cell + space);
       }
     }
     EndLine(text);
@@ -72,17 +72,54 @@ Json::Value JsonOf(const Table& table)
   return json;
 }
 
+// Infinity would be written as 1e+9999, which some programs refuse.
+Json::Value WithFiniteNumbers(Json::Value value)
+{
+  if (value.isDouble() && !std::isfinite(value.asDouble()))
+  {
+    return {};
+  }
+  if (value.isArray() || value.isObject())
+  {
+    for (Json::Value& part : value)
+    {
+      part = WithFiniteNumbers(std::move(part));
+    }
+  }
+  return value;
+}
+
+std::string Written(const Json::Value& value, const char* indentation)
+{
+  Json::StreamWriterBuilder builder;
+  builder["indentation"] = indentation;
+  builder["enableYAMLCompatibility"] = true; // a colon, and no space before it
+  return Json::writeString(builder, WithFiniteNumbers(value));
+}
+
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
+std::string WriteJson(const Json::Value& value)
+{
+  return Written(value, "  ") + "\n";
+}
+
+//------------------------------------------------------------------------------
+std::string WriteJsonLine(const Json::Value& value)
+{
+  return Written(value, "");
+}
+
+//------------------------------------------------------------------------------
 Entry::Entry(const std::string& name)
-  : Entry(name, Printable(name))
+  : Entry(name, MakePrintableLine(name))
 {
 }
 
 //------------------------------------------------------------------------------
 Entry::Entry(std::uint64_t number)
-  : Entry(Json::Value(Json::UInt64{ number }), Grouped(number))
+  : Entry(Json::Value(Json::UInt64{ number }), GroupDigits(number))
 {
 }
 
@@ -106,7 +143,9 @@ std::string Description::GetText() const
   {
     if (field.Title)
     {
-      text += fmt::format("  {:<16} {}\n", field.Title, field.Content.Text);
+      std::string title = field.Title;
+      title.resize(std::max<std::size_t>(title.size(), 16), ' ');
+      text += "  " + title + " " + field.Content.Text + "\n";
     }
   }
   for (const Table& table : this->Tables)
