@@ -14,7 +14,7 @@ namespace gatun
 {
 namespace
 {
-constexpr std::uint64_t ItemsPerTask = 1u << 16;
+constexpr std::uint64_t ItemsPerLayerTask = 1u << 16;
 
 // The maximum number of tetrahedra in the histogram.
 constexpr std::uint64_t MostSamples = 1u << 20;
@@ -27,9 +27,9 @@ constexpr std::size_t ManyBuckets = 1u << 14;
 template <typename Body>
 void ForTasks(std::uint64_t items, Body&& body)
 {
-  ParallelFor(static_cast<std::size_t>((items + ItemsPerTask - 1) / ItemsPerTask),
+  ParallelFor(static_cast<std::size_t>((items + ItemsPerLayerTask - 1) / ItemsPerLayerTask),
     [&](std::size_t task)
-    { body(task, task * ItemsPerTask, std::min(items, (task + 1) * ItemsPerTask)); });
+    { body(task, task * ItemsPerLayerTask, std::min(items, (task + 1) * ItemsPerLayerTask)); });
 }
 
 //------------------------------------------------------------------------------
@@ -68,7 +68,7 @@ Moments FindMoments(const MeshAccess& mesh, const LayerValues& values)
   const auto counts = [&](std::uint64_t point, double value)
   { return used[static_cast<std::size_t>(point)] && std::isfinite(value); };
   std::vector<Range> ranges(
-    static_cast<std::size_t>(points / ItemsPerTask + 1), Range::MakeEmpty());
+    static_cast<std::size_t>(points / ItemsPerLayerTask + 1), Range::MakeEmpty());
   ForTasks(points,
     [&](std::size_t task, std::uint64_t begin, std::uint64_t end)
     {
