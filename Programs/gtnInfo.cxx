@@ -284,7 +284,6 @@ Table DescribeMeshes(const gatun::FileReader& file)
 
 Description Describe(const gatun::FileReader& file, bool verbose)
 {
-  const auto [major, minor] = file.GetFormatVersion();
   const std::uint8_t kept = file.GetKeptOrder();
   Json::Value order;
   order["points"] = (kept & gatun::KeepPoints) != 0;
@@ -293,7 +292,7 @@ Description Describe(const gatun::FileReader& file, bool verbose)
 
   Description description(Printable(file.GetPath()));
   description.Add("file", nullptr, Entry(file.GetPath()));
-  description.Add("formatVersion", "format", Entry(fmt::format("{}.{}", major, minor)));
+  description.Add("formatVersion", "format", Entry(std::uint64_t{ file.GetFormatVersion() }));
   description.Add("writerVersion", "written by Gatun", Entry(file.GetWriterVersion()));
   description.Add(
     "surface", file.IsSurface() ? "mesh" : nullptr, { file.IsSurface(), "surface (vtkPolyData)" });

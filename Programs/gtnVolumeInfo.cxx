@@ -53,12 +53,6 @@ double RawBits(const gatun::HartleyFile& file)
   return 8 * static_cast<double>(gatun::SizeOf(file.GetVolume().Type));
 }
 
-std::string Version(const gatun::HartleyFile& file)
-{
-  const auto [major, minor] = file.GetFormatVersion();
-  return fmt::format("{}.{}", major, minor);
-}
-
 template <typename Number, std::size_t Count>
 std::string ListOf(const std::array<Number, Count>& numbers)
 {
@@ -150,11 +144,11 @@ void DescribeChunks(const gatun::HartleyFile& file, Description& description)
 
 Description Describe(const gatun::HartleyFile& file, bool isVerified, bool verbose)
 {
-  const std::string version = Version(file);
+  const auto version = file.GetFormatVersion();
   Description description(fmt::format("{}: format {}, written by Gatun {}", file.GetPath(), version,
     Printable(file.GetWriterVersion())));
   description.Add("file", nullptr, Entry(file.GetPath()));
-  description.Add("formatVersion", nullptr, Entry(version));
+  description.Add("formatVersion", nullptr, Entry(std::uint64_t{ version }));
   description.Add("writerVersion", nullptr, Entry(file.GetWriterVersion()));
   DescribeGrid(file, description);
   DescribeCoding(file, description);

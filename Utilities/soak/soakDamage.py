@@ -108,7 +108,9 @@ def change_section(data, random):
     name, version, flags, payload = sections[at]
     content = unpack(payload)
     if name in EMBEDDED and random.random() < 0.9:
-        changed = change_section(payload, random)
+        # In front of a mesh that is in one piece is the length of its list of runs, 0.
+        begin = 1 if name == b"GRID" and payload[:1] == b"\0" else 0
+        changed = payload[:begin] + change_section(payload[begin:], random)
     elif content is not None and random.random() < 0.9:
         for _ in range(random.choice((1, 1, 1, 2, 4))):
             content = change_bytes(content, random)

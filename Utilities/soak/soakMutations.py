@@ -53,7 +53,7 @@ class Mutations(Task):
     def prepare(self):
         self.folder = self.context.folder("mutations")
         golden = ROOT / "Testing" / "Data" / "Golden"
-        self.seeds = sorted(path for path in golden.rglob("*.g?[nv]") if path.suffix in COMMANDS)
+        self.seeds = sorted(path for path in golden.glob("*.g?[nv]") if path.suffix in COMMANDS)
         self.damager = next((path for path in (
             self.context.gtn.parent / "damageFile", self.context.program("release", "damageFile"))
             if path.exists()), None)

@@ -59,7 +59,7 @@ struct StepArrays
   std::vector<std::int64_t> Ids, Again;
 };
 
-constexpr int Steps = 6;
+constexpr int StepsOfCopies = 6;
 
 std::shared_ptr<const FileReader> WriteSteps(const TestMesh& mesh)
 {
@@ -69,7 +69,7 @@ std::shared_ptr<const FileReader> WriteSteps(const TestMesh& mesh)
   options.Keep = KeepAll;
   options.KeyStepInterval = 5;
   FileWriter writer(path, mesh.GetInput(), DescribeArrays(), options);
-  for (int step = 0; step < Steps; ++step)
+  for (int step = 0; step < StepsOfCopies; ++step)
   {
     writer.WriteStep(StepArrays(mesh, step).Get(), {}, true, step);
   }
