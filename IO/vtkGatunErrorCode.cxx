@@ -18,7 +18,8 @@ constexpr int CodeOf(gatun::ErrorCode code)
 }
 
 // gatun::DescribeFailure makes the codes by this rule.
-static_assert(vtkGatunErrorCode::NewerVersionError == CodeOf(gatun::ErrorCode::UnsupportedVersion));
+static_assert(
+  vtkGatunErrorCode::UnsupportedVersionError == CodeOf(gatun::ErrorCode::UnsupportedVersion));
 static_assert(vtkGatunErrorCode::InvalidInputError == CodeOf(gatun::ErrorCode::InvalidInput));
 static_assert(vtkGatunErrorCode::AbortedError == CodeOf(gatun::ErrorCode::Aborted));
 
@@ -29,8 +30,8 @@ const char* vtkGatunErrorCode::GetStringFromErrorCode(unsigned long error)
 {
   switch (error)
   {
-    case NewerVersionError:
-      return "NewerVersionError";
+    case UnsupportedVersionError:
+      return "UnsupportedVersionError";
     case InvalidInputError:
       return "InvalidInputError";
     case AbortedError:

@@ -25,8 +25,8 @@ class VTKGATUNIO_EXPORT vtkGatunErrorCode
 public:
   enum ErrorIds
   {
-    /** The file was written by a newer major version of the format. */
-    NewerVersionError = vtkErrorCode::UserError + 3,
+    /** The file, or a part of it, has another version of the format. */
+    UnsupportedVersionError = vtkErrorCode::UserError + 3,
     /** The input data or the value of a property cannot be used. The message names it. */
     InvalidInputError = vtkErrorCode::UserError + 7,
     /** AbortExecute was set. There is no message. */
@@ -34,7 +34,7 @@ public:
   };
 
   /**
-   * Name of a code of this class or of vtkErrorCode, such as "NewerVersionError".
+   * Name of a code of this class or of vtkErrorCode, such as "UnsupportedVersionError".
    */
   static const char* GetStringFromErrorCode(unsigned long error);
 };

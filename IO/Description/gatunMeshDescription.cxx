@@ -267,7 +267,6 @@ Table DescribeMeshes(const FileReader& file)
 //------------------------------------------------------------------------------
 Description DescribeMesh(const FileReader& file, bool verbose)
 {
-  const auto [major, minor] = file.GetFormatVersion();
   const std::uint8_t kept = file.GetKeptOrder();
   Json::Value order;
   order["points"] = (kept & KeepPoints) != 0;
@@ -276,8 +275,7 @@ Description DescribeMesh(const FileReader& file, bool verbose)
 
   Description description(MakePrintableLine(file.GetPath()));
   description.Add("file", nullptr, Entry(file.GetPath()));
-  description.Add(
-    "formatVersion", "format", Entry(std::to_string(major) + "." + std::to_string(minor)));
+  description.Add("formatVersion", "format", Entry(std::uint64_t{ file.GetFormatVersion() }));
   description.Add("writerVersion", "written by Gatun", Entry(file.GetWriterVersion()));
   description.Add(
     "surface", file.IsSurface() ? "mesh" : nullptr, { file.IsSurface(), "surface (vtkPolyData)" });

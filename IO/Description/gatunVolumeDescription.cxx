@@ -30,12 +30,6 @@ double RawBits(const HartleyFile& file)
   return 8 * static_cast<double>(SizeOf(file.GetVolume().Type));
 }
 
-std::string VersionOf(const HartleyFile& file)
-{
-  const auto [major, minor] = file.GetFormatVersion();
-  return std::to_string(major) + "." + std::to_string(minor);
-}
-
 template <typename Number, std::size_t Count>
 std::string ListOf(const std::array<Number, Count>& numbers)
 {
@@ -187,11 +181,11 @@ double ComputePeakSignalToNoise(const Range& range, double rootMeanSquareError)
 //------------------------------------------------------------------------------
 Description DescribeVolume(const HartleyFile& file, bool isVerified, bool verbose)
 {
-  const std::string version = VersionOf(file);
-  Description description(file.GetPath() + ": format " + version + ", written by Gatun " +
+  const auto version = file.GetFormatVersion();
+  Description description(file.GetPath() + ": format " + std::to_string(version) + ", written by Gatun " +
     MakePrintableLine(file.GetWriterVersion()));
   description.Add("file", nullptr, Entry(file.GetPath()));
-  description.Add("formatVersion", nullptr, Entry(version));
+  description.Add("formatVersion", nullptr, Entry(std::uint64_t{ version }));
   description.Add("writerVersion", nullptr, Entry(file.GetWriterVersion()));
   DescribeGrid(file, description);
   DescribeCoding(file, description);

@@ -35,12 +35,11 @@ SectionRef GetSectionHeader(ByteReader& in)
 }
 
 //------------------------------------------------------------------------------
-Bytes MakeHeader(const ContainerKind& kind, std::uint16_t minorVersion)
+Bytes MakeHeader(const ContainerKind& kind)
 {
   ByteWriter header;
   header.PutBytes(kind.FileMagic);
-  header.Put(kind.Major);
-  header.Put(minorVersion);
+  header.Put(kind.Version);
   header.Put(std::uint32_t{ 0 });
   return std::move(header.Data);
 }

@@ -60,7 +60,7 @@ struct ContainerKind
   const char* Suffix;
   std::array<std::uint8_t, 8> FileMagic;
   std::array<std::uint8_t, 8> TrailerMagic;
-  std::uint16_t Major; ///< version
+  std::uint32_t Version;
   std::span<const FourCC> Sections;
 };
 
@@ -68,37 +68,17 @@ inline constexpr std::array MeshSections{ SectionMeta, SectionMesh, SectionTable
   SectionValues, SectionStep, SectionTree, SectionMerges, SectionTreeStep, SectionLevel,
   SectionDependencies, SectionLayers, SectionCells, SectionSurface, SectionBoundary, SectionGrid,
   SectionTime, SectionLive, SectionDirectory };
-inline constexpr ContainerKind MeshContainer{ ".gtn", FileMagic, TrailerMagic,
-  GATUN_FORMAT_VERSION_MAJOR, MeshSections };
+inline constexpr ContainerKind MeshContainer{ ".gtn", FileMagic, TrailerMagic, GATUN_FORMAT_VERSION,
+  MeshSections };
 
 inline constexpr std::array VolumeSections{ SectionMeta, SectionBlocks, SectionTable,
   SectionDirectory };
 inline constexpr ContainerKind VolumeContainer{ ".ghv",
   { 0x89, 'G', 'H', 'V', '\r', '\n', 0x1a, '\n' }, { 'G', 'H', 'V', 'E', 'N', 'D', '\r', '\n' },
-  GATUN_VOLUME_FORMAT_VERSION_MAJOR, VolumeSections };
+  GATUN_VOLUME_FORMAT_VERSION, VolumeSections };
 
-constexpr std::uint16_t SectionVersion = 1;
-// Of META, TABL, STEP, GRID and TIME, see Documentation/format.md, 11.4.
-constexpr std::uint16_t MetaVersionWithMotion = 2;
-constexpr std::uint16_t TableVersionWithWideNumbers = 2;
-constexpr std::uint16_t TableVersionWithScales = 3;
-constexpr std::uint16_t StepVersionWithScales = 2;
-constexpr std::uint16_t StepVersionWithBounds = 3;
-constexpr std::uint16_t StepVersionWithMotion = 4;
-constexpr std::uint16_t GridVersionWithExtents = 2;
-constexpr std::uint16_t TimeVersionWithMasks = 2;
-constexpr std::uint16_t FlagMandatory = 1; // readers that do not know the section must stop
-
-// The minor version of a file depends on the optional sections that it has.
-constexpr std::uint16_t MinorVersionPlain = 0;
-constexpr std::uint16_t MinorVersionWithTree = 1;
-constexpr std::uint16_t MinorVersionWithLayers = 2;
-constexpr std::uint16_t MinorVersionWithCells = 3;
-constexpr std::uint16_t MinorVersionOfSurfaces = 4;
-constexpr std::uint16_t MinorVersionWithBoundary = 5;
-constexpr std::uint16_t MinorVersionOfSurfaceTrees = 6;
-constexpr std::uint16_t MinorVersionWithDependencies = 7;
-constexpr std::uint16_t MinorVersionWithMotion = 10;
+constexpr std::uint16_t SectionVersion = 1; // of every section
+constexpr std::uint16_t FlagMandatory = 1;  // readers that do not know the section must stop
 
 /** Whether a path names a regular file with the signature of a format. */
 bool BeginsAs(const std::string& path, const ContainerKind& kind) noexcept;
@@ -123,7 +103,7 @@ void PutSectionHeader(ByteWriter& out, const SectionRef& section);
 SectionRef GetSectionHeader(ByteReader& in);
 
 /** The first HeaderSize bytes of a file. */
-Bytes MakeHeader(const ContainerKind& kind, std::uint16_t minorVersion);
+Bytes MakeHeader(const ContainerKind& kind);
 
 std::uint64_t Checksum(std::span<const std::uint8_t> bytes);
 

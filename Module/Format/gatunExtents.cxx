@@ -12,6 +12,10 @@ namespace gatun
 //------------------------------------------------------------------------------
 Bytes WriteExtents(std::span<const Extent> extents)
 {
+  if (extents.empty())
+  {
+    return Bytes(1, 0);
+  }
   ByteWriter list;
   list.PutVarint(extents.size());
   for (const Extent& extent : extents)
@@ -33,7 +37,7 @@ StreamRef ExtentMap::FindList(std::span<const std::uint8_t> head, const StreamRe
   ByteReader in(head);
   StreamRef list;
   list.Length = in.GetVarint();
-  list.Sum = in.Get<std::uint64_t>();
+  list.Sum = list.Length > 0 ? in.Get<std::uint64_t>() : 0;
   const auto begin = head.size() - in.GetRemaining();
   Check(list.Length <= section.Length - begin, "the list of its parts is not all there");
   list.Offset = section.Offset + begin;

@@ -23,8 +23,8 @@ struct Extent
   std::uint64_t Source = 0; // where the bytes are in the whole file; 0: in the section
 };
 
-/** The beginning of a section with a file of these runs. The bytes that are in the section follow.
- */
+/** The beginning of a section with a file of these runs; none: all of it is in the section. The
+ * bytes that are in the section follow. */
 Bytes WriteExtents(std::span<const Extent> extents);
 
 /** Where the bytes of an embedded file are in the whole file. Safe on hostile input. */
@@ -34,8 +34,8 @@ public:
   /** The longest beginning of the section that tells where the list of runs is. */
   static constexpr std::size_t HeadBytes = 10 + sizeof(std::uint64_t);
 
-  /** The list, as a packed part in the section. head: the first bytes of its payload. Throws
-   * Error(Corrupt). */
+  /** The list, as a packed part in the section. Its length is 0 if there is none; the file begins
+   * at its offset then. head: the first bytes of the section's payload. Throws Error(Corrupt). */
   static StreamRef FindList(std::span<const std::uint8_t> head, const StreamRef& section);
 
   /** Throws Error(Corrupt) unless the runs fill the section, and the others are before it. */

@@ -60,12 +60,9 @@ InputFile::InputFile(const InputFile& whole, const StreamRef& section, const std
   , Size(section.Length)
 {
   whole.CheckInside(section, name);
-  const auto isShared = [&](const SectionRef& other)
-  {
-    return other.Name == SectionGrid && other.Version == GridVersionWithExtents &&
-      other.Payload.Offset == section.Offset;
-  };
-  if (std::any_of(whole.Sections.begin(), whole.Sections.end(), isShared))
+  const auto isMesh = [&](const SectionRef& other)
+  { return other.Name == SectionGrid && other.Payload.Offset == section.Offset; };
+  if (std::any_of(whole.Sections.begin(), whole.Sections.end(), isMesh))
   {
     this->ReadExtents(whole, section, name);
   }
@@ -73,7 +70,7 @@ InputFile::InputFile(const InputFile& whole, const StreamRef& section, const std
 }
 
 //------------------------------------------------------------------------------
-/** Reads where the parts of a file are that shares some with what is before it. */
+/** Reads where the parts of a mesh of a series are, which may share some with what is before it. */
 void InputFile::ReadExtents(
   const InputFile& whole, const StreamRef& section, const std::string& name)
 {
@@ -84,11 +81,18 @@ void InputFile::ReadExtents(
   Bytes head(static_cast<std::size_t>(std::min<std::uint64_t>(ExtentMap::HeadBytes, this->Size)));
   this->ReadAt(0, head);
   constexpr const char* what = "the list of its parts";
+  const auto list = this->Guarded(what, {}, [&] { return ExtentMap::FindList(head, section); });
+  const auto begin = list.Offset - section.Offset;
+  if (list.Length == 0)
+  {
+    this->Base += begin;
+    this->Size -= begin;
+    return;
+  }
   this->Extents = this->Guarded(what, {},
     [&]
     {
-      const auto list = ExtentMap::FindList(head, section);
-      const StreamRef here{ list.Offset - section.Offset, list.Length, list.Sum };
+      const StreamRef here{ begin, list.Length, list.Sum };
       return std::make_shared<const ExtentMap>(this->Read(here, what), list, section);
     });
   this->Base = 0;
@@ -189,18 +193,23 @@ void InputFile::CheckSum(const StreamRef& stream, const std::string& what) const
 }
 
 //------------------------------------------------------------------------------
-bool InputFile::IsReadable(const SectionRef& section) const
+/** Refuses sections of another version, and unknown ones that are mandatory. */
+void InputFile::CheckVersion(const SectionRef& section) const
 {
   const auto& known = this->Kind.Sections;
-  return std::find(known.begin(), known.end(), section.Name) != known.end() &&
-    section.Version >= SectionVersion &&
-    section.Version <= (&this->Kind != &MeshContainer     ? SectionVersion
-                           : section.Name == SectionTable ? TableVersionWithScales
-                           : section.Name == SectionStep  ? StepVersionWithMotion
-                           : section.Name == SectionMeta  ? MetaVersionWithMotion
-                           : section.Name == SectionGrid  ? GridVersionWithExtents
-                           : section.Name == SectionTime  ? TimeVersionWithMasks
-                                                          : SectionVersion);
+  const bool isKnown = std::find(known.begin(), known.end(), section.Name) != known.end();
+  if (isKnown && section.Version != SectionVersion)
+  {
+    this->Fail(ErrorCode::UnsupportedVersion,
+      "section '" + ToText(section.Name) + "' has version " + std::to_string(section.Version) +
+        "; this program reads version " + std::to_string(SectionVersion) + " only");
+  }
+  if (!isKnown && (section.Flags & FlagMandatory))
+  {
+    this->Fail(ErrorCode::UnsupportedVersion,
+      "the file has a section '" + ToText(section.Name) + "' (version " +
+        std::to_string(section.Version) + ") that only another version of Gatun can read");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -225,14 +234,12 @@ void InputFile::ReadHeader(std::span<std::uint8_t, HeaderSize> header)
       "the file is truncated: " + std::to_string(this->Size) + " bytes are too few");
   }
   ByteReader in(std::span<const std::uint8_t>(header).subspan(magic.size()));
-  this->Major = in.Get<std::uint16_t>();
-  this->Minor = in.Get<std::uint16_t>();
-  if (this->Major != this->Kind.Major)
+  const auto version = in.Get<std::uint32_t>();
+  if (version != this->Kind.Version)
   {
     this->Fail(ErrorCode::UnsupportedVersion,
-      "version " + std::to_string(this->Major) + "." + std::to_string(this->Minor) +
-        " of the format is not supported, only " + std::to_string(this->Kind.Major) +
-        ".x; a newer version of Gatun may read it");
+      "the file has version " + std::to_string(version) + " of the " + this->Kind.Suffix +
+        " format; this program reads version " + std::to_string(this->Kind.Version) + " only");
   }
   const auto reserved = HeaderSize - sizeof(std::uint32_t);
   if (in.Get<std::uint32_t>() != 0)
@@ -285,12 +292,7 @@ void InputFile::ReadSections(const Bytes& directory)
   {
     auto section = GetSectionHeader(list);
     section.Payload.Offset = list.Get<std::uint64_t>();
-    if (!this->IsReadable(section) && (section.Flags & FlagMandatory))
-    {
-      this->Fail(ErrorCode::UnsupportedVersion,
-        "the file has a section '" + ToText(section.Name) + "' (version " +
-          std::to_string(section.Version) + ") that only a newer version of Gatun can read");
-    }
+    this->CheckVersion(section);
     this->Sections.push_back(section);
   }
   if (list.GetRemaining() != 0)
@@ -327,7 +329,7 @@ std::vector<StreamRef> InputFile::FindSections(FourCC name) const
   std::vector<StreamRef> found;
   for (const auto& section : this->Sections)
   {
-    if (section.Name == name && this->IsReadable(section))
+    if (section.Name == name)
     {
       found.push_back(section.Payload);
     }

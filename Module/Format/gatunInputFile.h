@@ -32,10 +32,9 @@ public:
 
   const std::string& GetPath() const { return this->Path; }
   std::uint64_t GetSize() const { return this->Size; }
+  std::uint32_t GetVersion() const { return this->Kind.Version; } ///< of the format
   std::uint64_t GetBytesRead() const { return this->BytesRead; }
   const std::vector<SectionRef>& GetSections() const { return this->Sections; }
-  std::uint16_t GetMajor() const { return this->Major; }
-  std::uint16_t GetMinor() const { return this->Minor; }
 
   /** Reads a stream and checks its checksum. what: the name of the stream in messages. */
   Bytes Read(const StreamRef& stream, const std::string& what) const;
@@ -43,7 +42,7 @@ public:
   /** Checks the checksum of a stream of any length. */
   void CheckSum(const StreamRef& stream, const std::string& what) const;
 
-  /** The payloads of the sections of a name, except those of unknown versions. */
+  /** The payloads of the sections of a name. */
   std::vector<StreamRef> FindSections(FourCC name) const;
 
   /** The payload of the only section of a name; throws unless there is exactly one. */
@@ -81,7 +80,7 @@ private:
   void ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
   ExtentMap::Place Locate(std::uint64_t offset) const;
   void ReadExtents(const InputFile& whole, const StreamRef& section, const std::string& name);
-  bool IsReadable(const SectionRef& section) const;
+  void CheckVersion(const SectionRef& section) const;
   void ReadHeader(std::span<std::uint8_t, HeaderSize> header);
   StreamRef ReadTrailer(std::span<const std::uint8_t> header, Bytes& directory) const;
   void ReadSections(const Bytes& directory);
@@ -96,8 +95,6 @@ private:
   std::uint64_t Base = 0;                   // the position of an embedded file
   std::shared_ptr<const ExtentMap> Extents; // in which that is, if it is not in one piece
   std::uint64_t Size = 0;
-  std::uint16_t Major = 0;
-  std::uint16_t Minor = 0;
   std::vector<SectionRef> Sections;
   mutable std::atomic<std::uint64_t> BytesRead{ 0 };
 };

@@ -29,43 +29,35 @@ void ReadInParts(const AtomicFile& file, std::uint64_t begin, std::uint64_t leng
 }
 
 //------------------------------------------------------------------------------
-OutputFile::OutputFile(const std::string& path, bool replaceReadOnly, std::uint16_t minorVersion,
-  const ContainerKind& kind)
+OutputFile::OutputFile(const std::string& path, bool replaceReadOnly, const ContainerKind& kind)
   : Kind(kind)
   , Data(path, replaceReadOnly)
-  , Header(MakeHeader(kind, minorVersion))
+  , Header(MakeHeader(kind))
 {
 }
 
 //------------------------------------------------------------------------------
-OutputFile::OutputFile(const OutputFile& whole, std::uint16_t minorVersion)
+OutputFile::OutputFile(Embedded, const OutputFile& whole)
   : Kind(whole.Kind)
   , Data(AtomicFile::MakeScratch(whole.Data))
-  , Header(MakeHeader(whole.Kind, minorVersion))
+  , Header(MakeHeader(whole.Kind))
 {
 }
 
 //------------------------------------------------------------------------------
-OutputFile::OutputFile(const std::string& folder, std::uint16_t minorVersion)
+OutputFile::OutputFile(const std::string& folder)
   : Kind(MeshContainer)
   , Data(AtomicFile::MakeScratch(folder))
-  , Header(MakeHeader(MeshContainer, minorVersion))
+  , Header(MakeHeader(MeshContainer))
 {
 }
 
 //------------------------------------------------------------------------------
-OutputFile::OutputFile(
-  Common, const std::string& path, bool replaceReadOnly, std::uint16_t minorVersion)
+OutputFile::OutputFile(Common, const std::string& path, bool replaceReadOnly)
   : Kind(MeshContainer)
   , Data(AtomicFile::MakeCommon(path, replaceReadOnly))
-  , Header(MakeHeader(MeshContainer, minorVersion))
+  , Header(MakeHeader(MeshContainer))
 {
-}
-
-//------------------------------------------------------------------------------
-void OutputFile::SetMinorVersion(std::uint16_t version)
-{
-  this->Header = MakeHeader(this->Kind, version);
 }
 
 //------------------------------------------------------------------------------
@@ -113,11 +105,10 @@ void OutputFile::WriteSectionHeader(const SectionRef& section)
 
 //------------------------------------------------------------------------------
 std::uint64_t OutputFile::AddSection(
-  FourCC name, std::span<const std::uint8_t> payload, std::uint16_t flags, std::uint16_t version)
+  FourCC name, std::span<const std::uint8_t> payload, std::uint16_t flags)
 {
   SectionRef section;
   section.Name = name;
-  section.Version = version;
   section.Flags = flags;
   section.Payload.Length = payload.size();
   section.Payload.Sum = Checksum(payload);
@@ -148,7 +139,7 @@ std::uint64_t OutputFile::AddSection(FourCC name, OutputFile& part)
   part.WriteEnd();
   SectionRef section;
   section.Name = name;
-  this->AddPart(section, part, {});
+  this->AddPart(section, part, {}, {});
   return part.Data.GetSize();
 }
 
@@ -156,33 +147,32 @@ std::uint64_t OutputFile::AddSection(FourCC name, OutputFile& part)
 std::uint64_t OutputFile::AddShared(FourCC name, OutputFile& part)
 {
   part.WriteEnd();
-  const auto extents = this->FindExtents(part);
+  auto extents = this->FindExtents(part);
+  if (extents.size() == 1)
+  {
+    extents.clear(); // there is nothing in common
+  }
   SectionRef section;
   section.Name = name;
-  if (extents.size() > 1)
-  {
-    section.Version = GridVersionWithExtents;
-    section.Flags = FlagMandatory;
-  }
+  section.Flags = FlagMandatory;
   const auto before = this->Data.GetSize();
-  this->AddPart(section, part, extents);
+  this->AddPart(section, part, WriteExtents(extents), extents);
   return this->Data.GetSize() - before - SectionHeaderSize;
 }
 
 //------------------------------------------------------------------------------
-/** Adds a section with a complete file. extents: which bytes are elsewhere; no more than one if
- * none are. */
+/** Adds a section with a complete file. list: the bytes before it; extents: which bytes are
+ * elsewhere; empty if none are. */
 void OutputFile::AddPart(
-  SectionRef section, const OutputFile& part, std::span<const Extent> extents)
+  SectionRef section, const OutputFile& part, const Bytes& list, std::span<const Extent> extents)
 {
-  const bool isShared = extents.size() > 1;
-  const Bytes list = isShared ? WriteExtents(extents) : Bytes();
-  const std::vector<Extent> all{ { part.Data.GetSize(), 0 } };
+  const std::vector<Extent> whole{ { part.Data.GetSize(), 0 } };
+  const auto all = extents.empty() ? std::span<const Extent>(whole) : extents;
   const auto each = [&](const std::function<void(std::span<const std::uint8_t>)>& use)
   {
     use(list);
     std::uint64_t at = 0;
-    for (const Extent& extent : isShared ? extents : std::span<const Extent>(all))
+    for (const Extent& extent : all)
     {
       if (extent.Source == 0)
       {
@@ -209,7 +199,7 @@ void OutputFile::AddPart(
   auto piece = part.Pieces.begin();
   std::uint64_t at = 0;
   auto to = section.Payload.Offset + list.size();
-  for (const Extent& extent : isShared ? extents : std::span<const Extent>(all))
+  for (const Extent& extent : all)
   {
     const auto end = at + extent.Length;
     for (; piece != part.Pieces.end() && piece->Offset < end; ++piece)

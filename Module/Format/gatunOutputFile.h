@@ -24,15 +24,20 @@ class OutputFile
 {
 public:
   /** replaceReadOnly: whether to replace an existing file that this user may not write. */
-  OutputFile(const std::string& path, bool replaceReadOnly, std::uint16_t minorVersion,
-    const ContainerKind& kind = MeshContainer);
+  OutputFile(
+    const std::string& path, bool replaceReadOnly, const ContainerKind& kind = MeshContainer);
 
-  /** A file that will be embedded in another one as a section. It never has a name. */
-  OutputFile(const OutputFile& whole, std::uint16_t minorVersion);
+  /** Tells a constructor that the file will be embedded in another one as a section. */
+  struct Embedded
+  {
+  };
+
+  /** Such a file, which never has a name. */
+  OutputFile(Embedded, const OutputFile& whole);
 
   /** The sections of one process of those that write a file together, in a scratch file in a
    * folder. */
-  OutputFile(const std::string& folder, std::uint16_t minorVersion);
+  explicit OutputFile(const std::string& folder);
 
   /** Tells a constructor that several processes write the file. */
   struct Common
@@ -40,15 +45,11 @@ public:
   };
 
   /** The file that such processes write together. Its temporary file has a name. */
-  OutputFile(Common, const std::string& path, bool replaceReadOnly, std::uint16_t minorVersion);
-
-  /** Changes the version. To be called before the first section is added. */
-  void SetMinorVersion(std::uint16_t version);
-  void SetMinorVersion(const OutputFile& other) { this->Header = other.Header; }
+  OutputFile(Common, const std::string& path, bool replaceReadOnly);
 
   /** Appends a section. Returns the offset of its payload. */
-  std::uint64_t AddSection(FourCC name, std::span<const std::uint8_t> payload,
-    std::uint16_t flags = FlagMandatory, std::uint16_t version = SectionVersion);
+  std::uint64_t AddSection(
+    FourCC name, std::span<const std::uint8_t> payload, std::uint16_t flags = FlagMandatory);
 
   /** Completes another file and embeds it as a section that is not mandatory. Returns the size of
    * that file. */
@@ -87,7 +88,8 @@ private:
   void WriteHeader();
   void WriteSectionHeader(const SectionRef& section);
   void WriteEnd();
-  void AddPart(SectionRef section, const OutputFile& part, std::span<const Extent> extents);
+  void AddPart(
+    SectionRef section, const OutputFile& part, const Bytes& list, std::span<const Extent> extents);
   std::vector<Extent> FindExtents(const OutputFile& part);
   bool IsEqual(
     std::uint64_t offset, const OutputFile& part, std::uint64_t place, std::uint64_t length) const;

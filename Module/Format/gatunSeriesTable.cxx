@@ -19,16 +19,12 @@ bool HasMasks(std::span<const StoredStep> steps)
 //------------------------------------------------------------------------------
 Bytes WriteSeries(std::span<const StoredStep> steps)
 {
-  const bool hasMasks = HasMasks(steps);
   ByteWriter out;
   out.PutVarint(steps.size());
   for (const StoredStep& step : steps)
   {
     out.PutVarint(step.Mesh);
-    if (hasMasks)
-    {
-      out.PutVarint(step.Mask);
-    }
+    out.PutVarint(step.Mask);
     out.Put(step.Time);
   }
   return Pack(out, SmallTable);
@@ -36,9 +32,9 @@ Bytes WriteSeries(std::span<const StoredStep> steps)
 
 //------------------------------------------------------------------------------
 std::vector<StoredStep> ReadSeries(
-  std::span<const std::uint8_t> bytes, std::size_t meshes, std::size_t masks, bool hasMasks)
+  std::span<const std::uint8_t> bytes, std::size_t meshes, std::size_t masks)
 {
-  const std::size_t leastBytes = 1 + (hasMasks ? 1 : 0) + sizeof(double);
+  constexpr std::size_t leastBytes = 2 + sizeof(double);
   const auto data = Unpack(bytes, SmallTable);
   ByteReader in(data);
   std::vector<std::uint32_t> masksOf; // of each mesh so far
@@ -49,7 +45,7 @@ std::vector<StoredStep> ReadSeries(
   {
     auto& step = steps[i];
     step.Mesh = GetSmall(in);
-    step.Mask = hasMasks ? GetSmall(in) : 0;
+    step.Mask = GetSmall(in);
     step.Time = in.Get<double>();
     Check(step.Mesh <= masksOf.size(), "a mesh has a number that is not the next one");
     if (step.Mesh == masksOf.size())

@@ -28,16 +28,16 @@ struct StoredStep
   }
 };
 
-/** Whether a step has only some cells of its mesh, which needs TimeVersionWithMasks. */
+/** Whether a step has only some cells of its mesh. */
 bool HasMasks(std::span<const StoredStep> steps);
 
 Bytes WriteSeries(std::span<const StoredStep> steps);
 
 /** Reads the steps of a file with so many meshes, whose first one has so many masks. Throws
  * Error(Corrupt) unless times ascend, and meshes and masks are numbered in the order of their first
- * steps. hasMasks: whether masks are stored. */
+ * steps. */
 std::vector<StoredStep> ReadSeries(
-  std::span<const std::uint8_t> bytes, std::size_t meshes, std::size_t masks, bool hasMasks);
+  std::span<const std::uint8_t> bytes, std::size_t meshes, std::size_t masks);
 }
 
 #endif

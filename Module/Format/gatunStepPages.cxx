@@ -147,28 +147,6 @@ void StepIndex::CheckCopies(const MetaTable& meta) const
 }
 
 //------------------------------------------------------------------------------
-bool StepIndex::HasScalesOrCopies() const
-{
-  return std::any_of(this->Arrays.begin(), this->Arrays.end(),
-    [](const Array& array)
-    {
-      return std::any_of(array.Palettes.begin(), array.Palettes.end(),
-        [](const auto& entry) { return entry.second.Steps || entry.second.IsCopy(); });
-    });
-}
-
-//------------------------------------------------------------------------------
-bool StepIndex::HasBounds() const
-{
-  return std::any_of(this->Arrays.begin(), this->Arrays.end(),
-    [](const Array& array)
-    {
-      return std::any_of(array.Palettes.begin(), array.Palettes.end(),
-        [](const auto& entry) { return static_cast<bool>(entry.second.Rounding); });
-    });
-}
-
-//------------------------------------------------------------------------------
 Bytes StepIndex::Write(const MetaTable& meta) const
 {
   ByteWriter out;

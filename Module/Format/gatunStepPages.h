@@ -67,12 +67,6 @@ struct StepIndex
   std::vector<Array> Arrays;
   std::vector<StreamRef> Pages; // as many as the mesh has, but none without arrays
 
-  /** Whether a component of an array has a scale, or an array is copied from another one. */
-  bool HasScalesOrCopies() const;
-
-  /** Whether a component of an array has a quantizer. */
-  bool HasBounds() const;
-
   /** The array that has the streams of an array: itself or that from which it is copied. */
   std::size_t GetSource(std::size_t array) const
   {

@@ -251,9 +251,9 @@ const std::string& HartleyFile::GetWriterVersion() const
 }
 
 //------------------------------------------------------------------------------
-std::pair<int, int> HartleyFile::GetFormatVersion() const
+std::uint32_t HartleyFile::GetFormatVersion() const
 {
-  return { this->Data->File.GetMajor(), this->Data->File.GetMinor() };
+  return this->Data->File.GetVersion();
 }
 
 //------------------------------------------------------------------------------

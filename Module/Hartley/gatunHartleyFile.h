@@ -55,7 +55,7 @@ public:
   const HartleyRateControl& GetRateControl() const;
   bool IsLossless() const;
   const std::string& GetWriterVersion() const;
-  std::pair<int, int> GetFormatVersion() const;
+  std::uint32_t GetFormatVersion() const;
   std::uint64_t GetFileBytes() const;
   std::uint64_t GetNumberOfTerms() const; ///< nonzero coefficients
 

@@ -355,9 +355,9 @@ const std::string& FileReader::GetWriterVersion() const
   return this->Self->Meta.WriterVersion;
 }
 
-std::pair<int, int> FileReader::GetFormatVersion() const
+std::uint32_t FileReader::GetFormatVersion() const
 {
-  return { this->Self->File.GetMajor(), this->Self->File.GetMinor() };
+  return this->Self->File.GetVersion();
 }
 
 const std::vector<ArrayDescription>& FileReader::GetArrays() const

@@ -69,8 +69,8 @@ public:
   /** The bounds at a step. */
   Bounds GetBounds(std::size_t step) const;
 
-  const std::string& GetWriterVersion() const;  ///< version of the package that wrote the file
-  std::pair<int, int> GetFormatVersion() const; ///< major, minor
+  const std::string& GetWriterVersion() const; ///< version of the package that wrote the file
+  std::uint32_t GetFormatVersion() const;
 
   const std::vector<ArrayDescription>& GetArrays() const;
 

@@ -31,14 +31,11 @@ void FileReader::Internals::ReadSeries()
     return;
   }
   const auto where = this->File.FindSection(SectionTime, seriesName);
-  const auto hasMasks = [&](const SectionRef& section)
-  { return section.Name == SectionTime && section.Version == TimeVersionWithMasks; };
-  const auto& sections = this->File.GetSections();
   this->Stored = this->File.Guarded(seriesName, where,
     [&]
     {
-      return gatun::ReadSeries(this->File.Read(where, seriesName), this->Meshes.size() + 1,
-        this->Masks.size(), std::any_of(sections.begin(), sections.end(), hasMasks));
+      return gatun::ReadSeries(
+        this->File.Read(where, seriesName), this->Meshes.size() + 1, this->Masks.size());
     });
   if (!this->Meta.HasTime || !this->HasStepsOf(this->Stored, 0))
   {

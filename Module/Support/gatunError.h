@@ -21,7 +21,7 @@ enum class ErrorCode
   Ok = 0,
   CannotOpen = 1,         ///< missing, a directory, no permission
   NotGatun = 2,           ///< the file does not begin with the signature of its format
-  UnsupportedVersion = 3, ///< written by a newer major version of the format
+  UnsupportedVersion = 3, ///< the file or a part of it has another version of the format
   Truncated = 4,          ///< the file ends before the data that its tables refer to
   Corrupt = 5,            ///< wrong checksum, or content that the format does not allow
   CannotWrite = 6,        ///< no permission, disk full, missing folder

@@ -17,7 +17,7 @@ const char* PackageVersion() noexcept
 
 const char* FormatVersion() noexcept
 {
-  return GATUN_TEXT(GATUN_FORMAT_VERSION_MAJOR) "." GATUN_TEXT(GATUN_FORMAT_VERSION_MINOR);
+  return GATUN_TEXT(GATUN_FORMAT_VERSION);
 }
 
 } // namespace gatun

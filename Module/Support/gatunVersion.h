@@ -5,9 +5,9 @@
  * @file gatunVersion.h
  * @brief The version of the package and the versions of the file formats, which are independent.
  *
- * The package version counts releases of the software. The format version is written to new `.gtn`
- * files. Older readers reject files with a newer major number; with a newer minor number they skip
- * additions. The build takes the package version from the macros below.
+ * The package version counts releases of the software. A format version is a number in the header
+ * of each file; a reader rejects files with another one. The build takes the package version from
+ * the macros below.
  */
 
 #ifndef gatunVersion_h
@@ -19,12 +19,8 @@
 #define GATUN_VERSION_MINOR 1
 #define GATUN_VERSION_PATCH 0
 
-#define GATUN_FORMAT_VERSION_MAJOR 1
-#define GATUN_FORMAT_VERSION_MINOR 12
-
-// The format version of `.ghv` files.
-#define GATUN_VOLUME_FORMAT_VERSION_MAJOR 1
-#define GATUN_VOLUME_FORMAT_VERSION_MINOR 0
+#define GATUN_FORMAT_VERSION 1        // of `.gtn` files
+#define GATUN_VOLUME_FORMAT_VERSION 1 // of `.ghv` files
 
 namespace gatun
 {
@@ -33,7 +29,7 @@ namespace gatun
 /// to the headers. Never null, valid until the program ends. Thread safe.
 GATUN_EXPORT const char* PackageVersion() noexcept;
 
-/// The version of the format that the loaded library writes, such as "1.0". As above.
+/// The version of the `.gtn` format that the loaded library reads and writes, "1". As above.
 GATUN_EXPORT const char* FormatVersion() noexcept;
 
 } // namespace gatun

@@ -383,8 +383,7 @@ void FileWriter::Internals::WriteTables()
   {
     this->Tree->WriteTable(this->Merges);
   }
-  file.AddSection(SectionMeta, this->State.Meta.Write(), FlagMandatory,
-    this->State.Meta.PointsMove ? MetaVersionWithMotion : SectionVersion);
+  file.AddSection(SectionMeta, this->State.Meta.Write());
 }
 
 //------------------------------------------------------------------------------
@@ -530,11 +529,9 @@ void FileWriter::Internals::Complete()
       this->AddEmbedded(SectionBoundary, *this->Boundary->File);
   }
   this->EndOther();
-  const bool hasMasks = HasMasks(this->Series);
-  if (this->NumberOfMeshes > 1 || hasMasks)
+  if (this->NumberOfMeshes > 1 || HasMasks(this->Series))
   {
-    this->State.File.AddSection(SectionTime, WriteSeries(this->Series), FlagMandatory,
-      hasMasks ? TimeVersionWithMasks : SectionVersion);
+    this->State.File.AddSection(SectionTime, WriteSeries(this->Series));
   }
   this->WriteTables();
 }

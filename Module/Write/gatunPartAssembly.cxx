@@ -413,7 +413,6 @@ std::vector<PartExchange::Message> PartAssembly::Assemble(
     }
   }
   auto& file = *this->Common;
-  file.SetMinorVersion(this->State.File);
   const auto header = file.GetSize();
   for (std::size_t p = 0; p < all.size(); ++p)
   {

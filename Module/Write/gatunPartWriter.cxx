@@ -67,8 +67,7 @@ public:
   {
     if (exchange.GetProcess() == 0)
     {
-      this->Common.emplace(
-        OutputFile::Common(), path, options.File.ReplaceReadOnly, MinorVersionPlain);
+      this->Common.emplace(OutputFile::Common(), path, options.File.ReplaceReadOnly);
     }
     this->Agreement.emplace(
       exchange, this->State, GetSpillFolder(path, options.SpillFolder), options.SpillMemory);

@@ -13,32 +13,11 @@
 
 namespace gatun
 {
-namespace
-{
-bool HasDependencies(const WriterOptions& options)
-{
-  return options.Dependencies && options.Tree && !options.Tree->GetMerges().empty();
-}
-
-std::uint16_t GetMinorVersion(const WriterOptions& options, bool hasCells)
-{
-  return options.PointsMove             ? MinorVersionWithMotion
-    : HasDependencies(options)          ? MinorVersionWithDependencies
-    : options.IsSurface && options.Tree ? MinorVersionOfSurfaceTrees
-    : options.Boundary                  ? MinorVersionWithBoundary
-    : options.IsSurface                 ? MinorVersionOfSurfaces
-    : hasCells                          ? MinorVersionWithCells
-    : options.Layers                    ? MinorVersionWithLayers
-    : options.Tree                      ? MinorVersionWithTree
-                                        : MinorVersionPlain;
-}
-}
-
 //------------------------------------------------------------------------------
 WriterState::WriterState(const std::string& path, const std::vector<ArrayDescription>& arrays,
   const WriterOptions& options)
   : Options(options)
-  , File(path, options.ReplaceReadOnly, GetMinorVersion(options, false))
+  , File(path, options.ReplaceReadOnly)
 {
   this->DescribeArrays(arrays);
 }
@@ -47,7 +26,7 @@ WriterState::WriterState(const std::string& path, const std::vector<ArrayDescrip
 WriterState::WriterState(const std::vector<ArrayDescription>& arrays, const WriterOptions& options,
   const std::string& folder)
   : Options(options)
-  , File(folder, GetMinorVersion(options, false))
+  , File(folder)
 {
   this->DescribeArrays(arrays);
 }
@@ -56,7 +35,7 @@ WriterState::WriterState(const std::vector<ArrayDescription>& arrays, const Writ
 WriterState::WriterState(const WriterState& whole, const std::vector<ArrayDescription>& arrays,
   const WriterOptions& options)
   : Options(options)
-  , File(whole.File, GetMinorVersion(options, false))
+  , File(OutputFile::Embedded(), whole.File)
 {
   this->DescribeArrays(arrays);
 }
@@ -101,7 +80,6 @@ std::uint32_t WriterState::GetChunkTets(const MeshAccess& part) const
 //------------------------------------------------------------------------------
 void WriterState::LinkGroups()
 {
-  this->File.SetMinorVersion(GetMinorVersion(this->Options, this->HasCells));
   this->Table.Blocks = this->Groups.MakeBlocks();
   this->Groups = {};
   this->Table.Unused.Points = this->Meta.UnusedPoints;
@@ -143,19 +121,11 @@ void WriterState::WriteTables(OutputFile& file) const
     file.AddSection(SectionSurface, WriteSurfaceMark(), 0);
   }
   const auto keep = this->Options.Keep;
-  const bool isWide =
-    ((keep & KeepPoints) && GetNumberType(this->Meta.Points) != ScalarType::UInt32) ||
-    ((keep & KeepCells) && GetNumberType(this->NumberOfCells) != ScalarType::UInt32);
   auto index = MakeMeshIndex(this->Table);
   PageSection pages(file);
   WriteMeshPages(index, this->Table, keep, [&](const Bytes& page) { return pages.Put(page); });
   pages.Write();
-  const bool hasScales = std::any_of(index.Palettes.begin(), index.Palettes.end(),
-    [](const PaletteRef& palette) { return static_cast<bool>(palette.Steps); });
-  file.AddSection(SectionTable, index.Write(keep), FlagMandatory,
-    hasScales  ? TableVersionWithScales
-      : isWide ? TableVersionWithWideNumbers
-               : SectionVersion);
+  file.AddSection(SectionTable, index.Write(keep));
 }
 
 //------------------------------------------------------------------------------
@@ -165,11 +135,7 @@ void WriterState::WriteStep(OutputFile& file, const StepTable& step) const
   const auto index = WriteStepPages(step, this->Meta, MakeMeshIndex(this->Table),
     [&](const Bytes& page) { return pages.Put(page); });
   pages.Write();
-  file.AddSection(SectionStep, index.Write(this->Meta), FlagMandatory,
-    this->Meta.PointsMove         ? StepVersionWithMotion
-      : index.HasBounds()         ? StepVersionWithBounds
-      : index.HasScalesOrCopies() ? StepVersionWithScales
-                                  : SectionVersion);
+  file.AddSection(SectionStep, index.Write(this->Meta));
 }
 
 //------------------------------------------------------------------------------

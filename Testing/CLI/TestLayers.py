@@ -38,7 +38,7 @@ for choice, expected in CHOICES:
     gtn("pack", "-fq", "--chunk", 500, "--layers", *choice.split(), "mesh.vtu", "layers.gtn")
     gtn("verify", "-q", "layers.gtn", "mesh.vtu")
     info = info_of("layers.gtn")
-    assert info["hasLayers"] and info["formatVersion"] == "1.2"
+    assert info["hasLayers"] and info["formatVersion"] == 1
     layers = info["layers"]
     for key, value in expected.items():
         assert layers[key] == value, (choice, key, layers[key])
@@ -55,7 +55,7 @@ for chunk in info["chunkTable"]:
     first, last = chunk["layers"]
     assert 0 <= first <= last < 4
 plain = info_of("plain.gtn")
-assert not plain["hasLayers"] and "layers" not in plain and plain["formatVersion"] == "1.0"
+assert not plain["hasLayers"] and "layers" not in plain and plain["formatVersion"] == 1
 text = gtn("info", "layers.gtn")
 for words in ("\nlayers\n", "  array            pressure\n", "  count            4\n",
               "  spacing          uniform\n"):

@@ -83,7 +83,7 @@ for name, cells in (("mixed.vtp", mixed.GetNumberOfCells()), ("mixed.vtk", mixed
         gtn("verify", name + ".gtn", says="intact")
     told = info(name + ".gtn")
     assert told["surface"] is True and told["cells"] == cells, told
-    assert told["formatVersion"] == "1.4" and told["tets"] == 0
+    assert told["formatVersion"] == 1 and told["tets"] == 0
     assert "surface (vtkPolyData)" in gtn("info", name + ".gtn")
 
 # Chosen arrays, and a difference that is found.

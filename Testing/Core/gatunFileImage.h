@@ -65,8 +65,6 @@ public:
   explicit FileImage(const std::string& path)
   {
     const InputFile file(path);
-    this->Major = file.GetMajor();
-    this->Minor = file.GetMinor();
     const auto read = [&](FourCC name, const char* what)
     { return file.Read(file.FindSection(name, what), what); };
     this->Meta = MetaTable::Read(read(SectionMeta, "META"));
@@ -207,8 +205,7 @@ public:
   {
     ByteWriter header, file, directory;
     header.PutBytes(this->Kind->FileMagic);
-    header.Put(this->Major);
-    header.Put(this->Minor);
+    header.Put(this->Version);
     header.Put(this->Reserved);
     file.PutBytes(header.Data);
     directory.PutVarint(sections.size());
@@ -239,8 +236,7 @@ public:
   }
 
   const ContainerKind* Kind = &MeshContainer;
-  std::uint16_t Major = 1;
-  std::uint16_t Minor = 0;
+  std::uint32_t Version = 1;
   std::uint32_t Reserved = 0;
   MetaTable Meta;
   std::optional<CellTable> Cells; // if not all cells are tetrahedra

@@ -349,10 +349,16 @@ void Change(Image& image, std::minstd_rand& random)
   }
 }
 
-/** The file of a mesh that has bytes in common with the file that it is in. */
+/** The file of a mesh of a series, which may have bytes in common with the file that it is in. */
 Bytes PutTogether(std::span<const std::uint8_t> whole, const StreamRef& section)
 {
   const auto list = ExtentMap::FindList(whole.subspan(section.Offset, section.Length), section);
+  if (list.Length == 0)
+  {
+    const auto end = section.Offset + section.Length;
+    const auto all = whole.subspan(list.Offset, end - list.Offset);
+    return { all.begin(), all.end() };
+  }
   const ExtentMap map(whole.subspan(list.Offset, list.Length), list, section);
   Bytes file;
   while (file.size() < map.GetSize())
@@ -376,12 +382,12 @@ public:
     const InputFile file(path);
     for (const auto& section : file.GetSections())
     {
-      if (section.Name == SectionGrid && section.Version == GridVersionWithExtents)
+      if (section.Name == SectionGrid)
       {
         // What is before the section moves, and fuzzSeries.cxx has the list of runs.
         file.Read(section.Payload, "a section");
         this->Sections.push_back(
-          { SectionGrid, PutTogether(whole, section.Payload), SectionVersion, 0 });
+          { SectionGrid, PutTogether(whole, section.Payload), SectionVersion, FlagMandatory });
       }
       else if (std::find(names.begin(), names.end(), section.Name) != names.end())
       {
@@ -414,8 +420,15 @@ public:
   /** Makes them sections of the image, behind all others. */
   void AddTo(Image& image) const
   {
-    image.MoreSections.insert(
-      image.MoreSections.end(), this->Sections.begin(), this->Sections.end());
+    for (auto section : this->Sections)
+    {
+      if (section.Name == SectionGrid)
+      {
+        const Bytes noList = WriteExtents({});
+        section.Payload.insert(section.Payload.begin(), noList.begin(), noList.end());
+      }
+      image.MoreSections.push_back(std::move(section));
+    }
   }
 
 private:

@@ -29,13 +29,8 @@ void ReadTime(const Bytes& bytes, std::uint8_t counts)
 {
   const std::size_t meshes = counts % 4;
   const std::size_t masks = counts / 4 % 4;
-  const bool hasMasks = counts & 128;
-  const auto steps = ReadSeries(bytes, meshes, masks, hasMasks);
-  if (HasMasks(steps) == hasMasks)
-  {
-    const auto again = ReadSeries(WriteSeries(steps), meshes, masks, hasMasks);
-    StopUnless(again.size() == steps.size());
-  }
+  const auto steps = ReadSeries(bytes, meshes, masks);
+  StopUnless(ReadSeries(WriteSeries(steps), meshes, masks).size() == steps.size());
 }
 
 void ReadRuns(const Bytes& list)

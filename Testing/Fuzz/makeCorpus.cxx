@@ -363,7 +363,7 @@ void AddSeries(Corpus& corpus)
       list.PutVarint(extent.Source);
     }
     ByteWriter out;
-    out.Put(static_cast<std::uint8_t>(2 + 4 + 128));
+    out.Put(static_cast<std::uint8_t>(2 + 4));
     for (const auto& table : { Decompress(WriteSeries(steps), 1 << 20), list.Data,
            Decompress(mask.Write(nullptr, hasTypes), 1 << 20),
            Decompress(second.Write(&mask, hasTypes), 1 << 20) })

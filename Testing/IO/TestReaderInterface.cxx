@@ -144,7 +144,7 @@ int TestReaderInterface(int argc, char* argv[])
       "FieldDataBytes", "DirectoryBytes", "PointDataArraySelection", "CellDataArraySelection" });
   const auto nameOf = [](unsigned long code)
   { return std::string(vtkGatunErrorCode::GetStringFromErrorCode(code)); };
-  Check(nameOf(vtkGatunErrorCode::NewerVersionError) == "NewerVersionError" &&
+  Check(nameOf(vtkGatunErrorCode::UnsupportedVersionError) == "UnsupportedVersionError" &&
       nameOf(vtkGatunErrorCode::InvalidInputError) == "InvalidInputError" &&
       nameOf(vtkGatunErrorCode::AbortedError) == "AbortedError" &&
       nameOf(vtkErrorCode::FileNotFoundError) ==

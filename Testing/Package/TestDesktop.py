@@ -52,13 +52,8 @@ assert run("desktop-file-validate", desktop) == ""
 run("update-mime-database", os.path.join(share, "mime"))
 run("update-desktop-database", applications)
 kinds = {
-    "mesh": os.path.join(data, "Golden", "v1.0", "all_of_few.gtn"),
-    "volume": next(
-        os.path.join(path, name)
-        for path, _, names in sorted(os.walk(os.path.join(data, "Golden")))
-        for name in sorted(names)
-        if name.endswith(".ghv")
-    ),
+    "mesh": os.path.join(data, "Golden", "any_tets.gtn"),
+    "volume": os.path.join(data, "Golden", "small_volume.ghv"),
 }
 for kind, golden in kinds.items():
     mime = f"application/x-gatun-{kind}"

@@ -17,6 +17,9 @@ import report as benchmarks  # pylint: disable=wrong-import-position
 # Not ours, or not sources.
 SKIPPED = ("build", ".git")
 
+PROMISE = ("From the release 0.1.0 on, every later reader of the same major version reads a file; until then none "
+            "is promised")
+
 problems = []
 
 
@@ -60,20 +63,18 @@ def check_links(file):
 
 
 def check_version():
+    """The specifications have the versions of gatunVersion.h, and all promise the same."""
     header = (ROOT / "Module" / "Support" / "gatunVersion.h").read_text(encoding="utf-8")
-    newest = ".".join(re.search(rf"#define GATUN_FORMAT_VERSION_{part} (\d+)", header)[1]
-                      for part in ("MAJOR", "MINOR"))
-    for name, pattern in (("format.md", r"^Format version (\d+\.\d+)\."),
-                          ("format-changelog.md", r"^## (\d+\.\d+)$")):
+    for name, macro in (("format.md", "GATUN_FORMAT_VERSION"),
+                        ("ghv-format.md", "GATUN_VOLUME_FORMAT_VERSION")):
+        version = re.search(rf"#define {macro} (\d+)", header)[1]
         file = ROOT / "Documentation" / name
-        found = re.search(pattern, file.read_text(encoding="utf-8"), flags=re.MULTILINE)
-        if not found or found[1] != newest:
-            report(file, f"the newest version is not {newest}, that of gatunVersion.h")
-    golden = ROOT / "Testing" / "Data" / "Golden"
-    versions = [[int(part) for part in re.findall(r"\d+", folder.name)]
-                for folder in golden.glob("v*.*")]
-    if max(versions) != [int(part) for part in newest.split(".")]:
-        report(golden, f"there is nothing of version {newest}")
+        found = re.search(r"^Format version (\d+)\b", file.read_text(encoding="utf-8"), flags=re.MULTILINE)
+        if not found or found[1] != version:
+            report(file, f"the version is not {version}, that of gatunVersion.h")
+    for name in ("README.md", "CONTRIBUTING.md", "Documentation/format.md"):
+        if PROMISE not in " ".join((ROOT / name).read_text(encoding="utf-8").split()):
+            report(ROOT / name, f'does not promise: "{PROMISE}"')
 
 
 def main():

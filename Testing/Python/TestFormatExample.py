@@ -67,7 +67,7 @@ log = re.search(r"The edge log: (.*?)\.\n", of_walk, re.DOTALL)[1]
 assert ", ".join("%d-%d" % pair for pair in walk.edge_log) == " ".join(log.split())
 
 # Tables and stream of a tree, and what its merges make of a mesh.
-with open(os.path.join(data, "Golden", "v1.1", "two_tets.gtn"), "rb") as file:
+with open(os.path.join(data, "Golden", "two_tets.gtn"), "rb") as file:
     decoder = Decoder(file.read())
 container = decoder.container
 places = {section.name: slice(section.offset, section.offset + section.length)
@@ -90,7 +90,7 @@ assert decoder.after(1).kept == [0, 1, 2, 3] and decoder.after(1).tets.tolist() 
 assert decoder.after(2).kept == [1, 2, 3] and len(decoder.after(2).tets) == 0
 
 # The merges of a surface, two of which belong together.
-with open(os.path.join(data, "Golden", "v1.6", "seam.gtn"), "rb") as file:
+with open(os.path.join(data, "Golden", "seam.gtn"), "rb") as file:
     decoder = Decoder(file.read())
 stream = bytes.fromhex(re.search(r"`([0-9a-f \n]{20,})`", of_seam)[1])
 assert stream == decoder.container.stream(decoder.container.tree.stream)
@@ -104,7 +104,7 @@ assert len(decoder.cells()) == 4
 assert len(decoder.after(2).tets) == 2 and len(decoder.after(3).tets) == 1
 
 # The dependencies of the two merges of the first tree.
-with open(os.path.join(data, "Golden", "v1.7", "two_tets.gtn"), "rb") as file:
+with open(os.path.join(data, "Golden", "two_tets.gtn"), "rb") as file:
     decoder = Decoder(file.read())
 stream = bytes.fromhex(re.search(r"`([0-9a-f \n]{20,})`", of_dependencies)[1])
 assert stream == decoder.container.tree.dependencies
@@ -112,7 +112,7 @@ assert "DEPS, %d bytes" % len(stream) in of_dependencies
 assert decoder.merges == merges_of_tets and decoder.dependencies == [[], [0]]
 
 # Layers: the bytes of the table are those of the golden file.
-with open(os.path.join(data, "Golden", "v1.2", "two_layers.gtn"), "rb") as file:
+with open(os.path.join(data, "Golden", "two_layers.gtn"), "rb") as file:
     golden = file.read()
 at = golden.index(b"LAYR")
 length = int.from_bytes(golden[at + 8 : at + 16], "little")
@@ -122,7 +122,7 @@ assert bytes.fromhex("".join(rows)) == content and "LAYR, %d\nbytes" % len(conte
 assert "Bounds[0] %g |" % Decoder(golden).container.layers.bounds[0] in of_layers
 
 # Cells: likewise.
-with open(os.path.join(data, "Golden", "v1.3", "two_cells.gtn"), "rb") as file:
+with open(os.path.join(data, "Golden", "two_cells.gtn"), "rb") as file:
     golden = file.read()
 at = golden.index(b"CELL")
 length = int.from_bytes(golden[at + 8 : at + 16], "little")

@@ -2,32 +2,26 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 """A decoder written from Documentation/ghv-format.md alone reads the golden files of volumes as
-their list says, as Testing/Core/testHartleyGolden.cxx does with the library; it rejects what is cut
+expected, as Testing/Core/Hartley/testHartleyGolden.cxx does with the library; it rejects what is cut
 short."""
 
-import os
 import sys
 
-SKIPPED = 125
+import gatunGolden as golden
 
 try:
-    from make_golden_volumes import describe_all
+    from describe_decoded import describe_volume
     from ghv_decoder import Volume
-    from gtn_bytes import FormatError
 except ImportError as error:
     print(error)
-    sys.exit(SKIPPED)
+    sys.exit(golden.gm.SKIPPED)
 
-folder = os.path.join(os.environ["GATUN_TEST_DATA"], "Golden", "ghv-1.0")
-with open(os.path.join(folder, "volumes.txt"), encoding="utf-8") as file:
-    expected = file.read().splitlines()
-described = describe_all(folder)
-assert len(described) == len(expected), (len(described), len(expected))
-for one, other in zip(expected, described):
-    assert one == other, (one, other)
+from gtn_bytes import FormatError
 
-with open(os.path.join(folder, "small.ghv"), "rb") as file:
-    small = file.read()
+for name, expected in golden.expected("volumes").items():
+    golden.assert_same(expected, describe_volume(name, Volume(golden.bytes_of(name))), name)
+
+small = golden.bytes_of("small_volume.ghv")
 assert Volume(small).voxels().shape == (2, 2, 4)
 for length in range(len(small)):
     try:

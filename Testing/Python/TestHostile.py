@@ -51,8 +51,7 @@ def decoder_says(data):
 # --------------------------------------------------------------------------------------------------
 # Tables may not be larger than they can honestly be (11.1 of the specification).
 
-with open(os.path.join(golden.folders()[0], "one_tet.gtn"), "rb") as file:
-    sections = hostile.sections_of(file.read())
+sections = hostile.sections_of(golden.bytes_of("one_tet.gtn"))
 good = hostile.build(sections)
 assert decoder_says(good) == "" and gtn_says("info", good) == ""
 

@@ -16,8 +16,8 @@ except ImportError as error:
     print(error)
     sys.exit(golden.gm.SKIPPED)
 
-import make_golden_boundaries
 from gatun import vtkGatunReader
+from gatunGoldenCells import boundary as make_tet
 from gtn_boundary import check_boundary
 from gtn_bytes import FormatError
 from gtn_decoder import Decoder
@@ -27,11 +27,6 @@ folder = os.path.join(os.environ["GATUN_TEST_TEMP"], "hostile-boundaries")
 os.makedirs(folder, exist_ok=True)
 path = os.path.join(folder, "hostile.gtn")
 vtkObject.GlobalWarningDisplayOff()
-
-
-def golden_file(name):
-    with open(os.path.join(os.environ["GATUN_TEST_DATA"], "Golden", name), "rb") as file:
-        return file.read()
 
 
 def gtn_refuses(data):
@@ -74,9 +69,9 @@ def with_boundary(data, boundary):
         hostile.replace_sections(hostile.sections_of(data), b"BNDY", lambda _: boundary))
 
 
-tet, steps = golden_file("v1.5/one_tet.gtn"), golden_file("v1.5/steps.gtn")
-surface = golden_file("v1.4/two_faces.gtn")
-other = make_golden_boundaries.one_tet()[0]
+tet, steps = golden.bytes_of("boundary.gtn"), golden.bytes_of("boundary_of_cells.gtn")
+surface = golden.bytes_of("two_faces.gtn")
+other = make_tet(None)[0]
 other.GetPoints().SetPoint(3, 0, 0, 2)
 golden.gm.write(other, path, WriteBoundary=True)
 with open(path, "rb") as file:

@@ -1,17 +1,22 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Descriptions as in gatunGolden of what gtn_decoder makes of a file."""
+"""Descriptions of what gtn_decoder and ghv_decoder make of a file: of meshes as in gatunGolden, and of
+merges, layers and volumes as lines, which tests of the core compare with their own."""
 
 import struct
 
 import gatunGolden as golden
 import numpy as np
+from gtn_boundary import check_boundary
 from gtn_bytes import SIZES, checksum
 from gtn_container import SURFACE_LISTS
 from gtn_decoder import Decoder
+from gtn_dependencies import check_dependencies
+from gtn_layers import check_layers
 from gtn_series import LivingMesh
 from gtn_tables import POINTS
+from gtn_tree import check_level, check_ranges
 
 WHERE = ("points", "cells")
 
@@ -155,7 +160,7 @@ def describe_dependencies(decoder):
 
 
 def describe_tree(decoder, name):
-    """Lines, as in trees.txt, on how the mesh of a file becomes simpler; base meshes come last."""
+    """Lines on how the mesh of a file becomes simpler; base meshes come last."""
     meta, tree = decoder.meta, decoder.container.tree
     merges = b"".join(struct.pack("<IIf", *merge) for merge in decoder.merges)
     lines = [
@@ -170,7 +175,7 @@ def describe_tree(decoder, name):
     ]
     for s, ranges in enumerate(tree.ranges):
         for a, of_array in enumerate(ranges):
-            if of_array is not None:
+            if of_array is not None and a < len(meta.arrays):
                 lines.append("step %d array %d ranges %s" % (
                     s, a, checksum_of(np.array(of_array, float))))
     count = len(decoder.merges)
@@ -193,7 +198,7 @@ def describe_tree(decoder, name):
 
 
 def describe_layers(decoder, name):
-    """Lines, as in layers.txt, on the layers of a file; base meshes come last."""
+    """Lines on the layers of a file; base meshes come last."""
     layers, tree = decoder.container.layers, decoder.container.tree
     lines = [
         "= %s" % name,
@@ -204,4 +209,62 @@ def describe_layers(decoder, name):
     ]
     for i in range(len(tree.levels) if tree is not None else 0):
         lines += describe_layers(decoder.level(i), "%s, base mesh %d" % (name, i + 1))
+    return lines
+
+
+def check_tree(decoder):
+    """Ranges after merges enclose just what they have to, base meshes are what is left, and
+    dependencies are those of the mesh."""
+    check_ranges(decoder)
+    check_dependencies(decoder)
+    for i in range(len(decoder.container.tree.levels)):
+        level = decoder.level(i)
+        check_level(decoder, i, level)
+        check_tree(level)
+
+
+def describe_core(name, decoder):
+    """The lines of a file by their kind: merges and layers, if it has any. Checks them, and the
+    boundary."""
+    decoder.container.verify_layout()
+    boundary = decoder.boundary()
+    if boundary is not None:
+        check_boundary(decoder, boundary)
+    lines = {}
+    if decoder.container.tree is not None:
+        check_tree(decoder)
+        lines["merges"] = describe_tree(decoder, name)
+    if decoder.container.layers is not None:
+        check_layers(decoder)
+        lines["layers"] = describe_layers(decoder, name)
+    return lines
+
+
+def cells_of_decoder(decoder, restore):
+    """Triples of a type, points and faces, also of a file of tetrahedra."""
+    if decoder.container.cells is not None:
+        return decoder.cells(restore)
+    return [(10, tet, None) for tet in decoder.tets(restore).tolist()]
+
+
+def describe_volume(name, volume):
+    """Lines on a volume."""
+    lines = [f"= {name}", "size {} {} {} type {} block {} {} {} chunks {}".format(
+        *volume.size, volume.kind, *volume.block, len(volume.chunks))]
+    place = [*volume.origin, *volume.spacing, *volume.direction, volume.min, volume.max]
+    packed = struct.pack(f"<{len(place)}d3ii", *place, *volume.first_index, volume.vtk_type)
+    lines.append(f"place {checksum(packed):016x} name {volume.name}")
+    for chunk in range(len(volume.chunks)):
+        packed = b""
+        terms = 0
+        for number, block in enumerate(volume.integers(chunk)):
+            values = volume.coefficients(block)
+            for index, value in enumerate(values):
+                if value:
+                    packed += struct.pack("<IIf", number, index, value)
+                    terms += 1
+        lines.append(f"chunk {chunk} terms {terms} {checksum(packed):016x}")
+    # Those of floating point may differ in their last bits.
+    if volume.kind <= 8:
+        lines.append(f"voxels {checksum(volume.voxels().tobytes()):016x}")
     return lines

@@ -3,7 +3,7 @@
 
 """Golden files: what a file holds as checksums, from vtkGatunReader or from grids.
 
-A description is made of dicts and lists, as it stands in expected.json:
+A description is made of dicts and lists, as it stands in expected.json under "meshes":
 
     times         of the steps
     wide_ids      whether point ids have 64 bits; None without cells
@@ -36,20 +36,23 @@ import gatunPolyData as pd  # noqa: E402
 from gatun import vtkGatunReader, vtkGatunSurfaceReader  # noqa: E402
 
 
-def folders():
-    """Folders of golden files, one a version of the format."""
-    found = sorted(glob.glob(os.path.join(os.environ["GATUN_TEST_DATA"], "Golden", "v*")))
-    assert found
-    return found
+def path_of(name):
+    return os.path.join(os.environ["GATUN_TEST_DATA"], "Golden", name)
 
 
-def expected(folder):
-    """Descriptions by names of files; there is one of each file."""
-    with open(os.path.join(folder, "expected.json"), encoding="utf-8") as file:
+def bytes_of(name):
+    with open(path_of(name), "rb") as file:
+        return file.read()
+
+
+def expected(kind="meshes"):
+    """What is expected of files by their names: descriptions of meshes, or lines on merges, layers
+    or volumes. There is something of each file."""
+    with open(path_of("expected.json"), encoding="utf-8") as file:
         result = json.load(file)
-    names = {os.path.basename(path) for path in glob.glob(os.path.join(folder, "*.gtn"))}
-    assert names == set(result), names ^ set(result)
-    return result
+    names = {os.path.basename(path) for path in glob.glob(path_of("*.g[th][nv]"))}
+    assert names == {*result["meshes"], *result["volumes"]}, names
+    return result[kind]
 
 
 def assert_same(one, other, path):

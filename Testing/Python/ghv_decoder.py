@@ -280,8 +280,8 @@ class Volume:
         data = self.data
         require(len(data) >= 48, "too short")
         require(data[:8] == MAGIC and data[-8:] == END_MAGIC, "not a .ghv file, or truncated")
-        major, _, zero = struct.unpack("<HHI", data[8:16])
-        require(major == 1 and zero == 0, "header")
+        version, zero = struct.unpack("<II", data[8:16])
+        require(version == 1 and zero == 0, "header")
         offset, length, check = struct.unpack("<3Q", data[-32:-8])
         require(offset >= 40 and offset + length == len(data) - 32, "place of the directory")
         require(checksum(data[:16] + data[offset:-32]) == check, "checksum of the directory")
@@ -290,7 +290,8 @@ class Volume:
         for _ in range(table.varint()):
             name, version, flags, size, check = struct.unpack("<4sHHQQ", table.take(24))
             section = Record(name=name, length=size, checksum=check, offset=table.number("Q"))
-            if name in SECTIONS and version == 1:
+            if name in SECTIONS:
+                require(version == 1, "another version of a section")
                 sections.append(section)
             else:
                 require(not flags & 1, "unknown mandatory section")

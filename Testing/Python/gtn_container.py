@@ -26,8 +26,6 @@ END_MAGIC = b"GTNEND\r\n"
 SECTIONS = (
     b"META", b"TABL", b"PAGE", b"STEP", b"MESH", b"VALS", b"TREE", b"MERG", b"TRNG", b"LEVL",
     b"DEPS", b"LAYR", b"CELL", b"SURF", b"BNDY", b"GRID", b"TIME", b"LIVE", b"DIRY")
-#: The highest versions of sections, if not 1.
-VERSIONS = {b"META": 2, b"TABL": 3, b"STEP": 4, b"GRID": 2, b"TIME": 2}
 STREAMS = (b"PAGE", b"MESH", b"VALS", b"MERG")  # sections of streams
 
 
@@ -72,10 +70,7 @@ class Container:
         self.series = None
         self._read_masks(sections)
         if self.meshes or any(section.name == b"TIME" for section in sections):
-            version = next((struct.unpack("<H", section.header[4:6])[0] for section in sections
-                            if section.name == b"TIME"), 1)
-            self.series = read_series(
-                self._packed(sections, b"TIME"), self.meta, self.steps, version)
+            self.series = read_series(self._packed(sections, b"TIME"), self.meta, self.steps)
         require(len(self.meshes) == (max(s.mesh for s in self.series) if self.series else 0),
                 "number of meshes")
         require(self.series is None or masks_of(self.series, 0) == len(self.masks),
@@ -136,8 +131,8 @@ class Container:
         data = self.data
         require(len(data) >= 16 + 32, "too short")
         require(data[:8] == MAGIC and data[-8:] == END_MAGIC, "not a .gtn file, or truncated")
-        major, _, zero = struct.unpack("<HHI", data[8:16])
-        require(major == 1, "another major version")
+        version, zero = struct.unpack("<II", data[8:16])
+        require(version == 1, "another version")
         require(zero == 0, "header")
         offset, length, check = struct.unpack("<3Q", data[-32:-8])
         require(offset >= 40 and offset + length == len(data) - 32, "place of the directory")
@@ -152,7 +147,8 @@ class Container:
                 header=header, name=name, length=size, checksum=check, offset=table.number("Q")
             )
             require(section.offset >= 40 and section.offset + size <= len(data), "section")
-            known = name in SECTIONS and 1 <= version <= VERSIONS.get(name, 1)
+            known = name in SECTIONS
+            require(not known or version == 1, "another version of a section")
             require(known or not flags & 1, "unknown mandatory section")
             if known or not only_known:
                 sections.append(section)
@@ -178,11 +174,11 @@ class Container:
 
     def _mesh(self, section):
         """The file of a mesh, put together from runs if it is not in one piece (18.3)."""
-        payload = self._payload(section)
-        if struct.unpack("<H", section.header[4:6])[0] == 1:
-            return payload
-        part = Bytes(payload)
-        length, check = part.varint(), part.number("Q")
+        part = Bytes(self._payload(section))
+        length = part.varint()
+        if length == 0:
+            return part.take(part.left())
+        check = part.number("Q")
         packed = part.take(length)
         require(checksum(packed) == check, "checksum of the runs of a mesh")
         runs = Bytes(unpack(packed, table_limit))

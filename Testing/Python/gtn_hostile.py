@@ -38,7 +38,7 @@ def varint(number):
 
 def build(sections):
     """The file of these sections. Streams keep their places if MESH, VALS and PAGE do."""
-    data = MAGIC + struct.pack("<HHI", 1, 0, 0)
+    data = MAGIC + struct.pack("<II", 1, 0)
     directory = varint(len(sections))
     for name, payload in sections:
         flags = 0 if name == UNKNOWN else 1

@@ -14,13 +14,13 @@ from gtn_bytes import require
 from gtn_tables import POINTS
 
 
-def read_series(table, meta, steps, version):
+def read_series(table, meta, steps):
     """Section TIME (18.1). steps: those of the first mesh. A list of steps with mesh, mask and
     time."""
     series, masks = [], []
     for _ in range(table.varint()):
         step = Record(mesh=table.varint())
-        step.mask = table.varint() if version == 2 else 0
+        step.mask = table.varint()
         step.time = table.number("d")
         require(step.mesh <= len(masks), "number of a mesh")
         if step.mesh == len(masks):

@@ -156,6 +156,14 @@ def find_ways(points, merges):
     return ways
 
 
+def values_of(decoder, step, array):
+    """Those of an array of TRNG, with the lengths of tuples; the last one are coordinates (3.6)."""
+    if array < len(decoder.meta.arrays):
+        return with_lengths(decoder.array(step, array))
+    places = with_lengths(decoder.points(False, step).astype(float))
+    return np.where(np.isfinite(places), places, np.nan)
+
+
 def check_ranges(decoder):
     """Whether the ranges of TREE and TRNG enclose what they are said to enclose, and nothing else."""
     tree = decoder.container.tree
@@ -170,7 +178,7 @@ def check_ranges(decoder):
             for s, ranges in enumerate(tree.ranges):
                 for a, of_array in enumerate(ranges):
                     if of_array is not None:
-                        check_tight(of_array[c][rung], with_lengths(decoder.array(s, a)[way]))
+                        check_tight(of_array[c][rung], values_of(decoder, s, a)[way])
 
 
 def with_lengths(values):

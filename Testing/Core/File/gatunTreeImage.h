@@ -84,8 +84,8 @@ public:
       tree.Stream = { size + SectionHeaderSize, this->Merges.size(), Checksum(this->Merges) };
     }
     sections.push_back({ SectionMerges, this->Merges, SectionVersion, 0 });
-    sections.push_back({ SectionTree, this->StoredTree ? Store(*this->StoredTree) : tree.Write(),
-      this->TreeVersion, 0 });
+    sections.push_back({ this->TreeName, this->StoredTree ? Store(*this->StoredTree) : tree.Write(),
+      SectionVersion, 0 });
     for (const auto& step : this->TreeSteps)
     {
       sections.push_back({ SectionTreeStep, step.Write(), SectionVersion, 0 });
@@ -99,9 +99,7 @@ public:
       sections.push_back({ SectionLevel, level, SectionVersion, 0 });
     }
     sections.insert(sections.end(), this->MoreSections.begin(), this->MoreSections.end());
-    FileImage frame;
-    frame.Minor = this->IsSurface() ? MinorVersionOfSurfaceTrees : MinorVersionWithTree;
-    return frame.Assemble(sections);
+    return FileImage().Assemble(sections);
   }
 
   std::vector<FileImage::Section> Rest;
@@ -113,7 +111,7 @@ public:
   std::vector<Bytes> Levels;
 
   bool KeepStream = false; // write Tree.Stream as it is
-  std::uint16_t TreeVersion = SectionVersion;
+  FourCC TreeName = SectionTree;
   std::optional<Bytes> StoredTree; // written in place of the table
   std::vector<Bytes> StoredSteps;  // written behind the tables
   std::vector<FileImage::Section> MoreSections;

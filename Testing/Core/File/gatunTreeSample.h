@@ -245,12 +245,7 @@ inline void WriteTreeSample(const std::string& path, const TreeSample& sample,
     sections.push_back(
       { SectionLevel, MakeLevel(path, sample, options, merges), SectionVersion, 0 });
   }
-  FileImage frame;
-  frame.Minor = options.Dependencies ? MinorVersionWithDependencies
-    : sample.IsSurface()             ? MinorVersionOfSurfaceTrees
-    : options.Layers                 ? MinorVersionWithLayers
-                                     : MinorVersionWithTree;
-  const auto bytes = frame.Assemble(sections);
+  const auto bytes = FileImage().Assemble(sections);
   std::ofstream out(path, std::ios::binary | std::ios::trunc);
   out.write(
     reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));

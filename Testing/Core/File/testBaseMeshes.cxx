@@ -98,7 +98,6 @@ TEST(TreeFile, FilesWithoutATreeSayThatThereIsNone)
   EXPECT_FALSE(file->HasMergeTree());
   EXPECT_EQ(file->GetNumberOfMerges(), 0u);
   EXPECT_TRUE(file->GetLevels().empty());
-  EXPECT_EQ(file->GetFormatVersion(), (std::pair{ 1, 0 }));
   auto request = AskForAll(*file);
   request.Merges = 1;
   PieceDecoder decoder(file);

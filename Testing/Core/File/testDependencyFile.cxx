@@ -54,7 +54,6 @@ void ExpectDependencies(const std::shared_ptr<const FileReader>& file)
   }
   EXPECT_GT(any, read.GetNumberOfMerges());
   EXPECT_GT(file->GetStatistics().DependencyBytes, 0u);
-  EXPECT_EQ(file->GetFormatVersion(), (std::pair{ 1, int{ MinorVersionWithDependencies } }));
   EXPECT_TRUE(VerifyFile(*file));
 }
 
@@ -94,7 +93,6 @@ TEST(DependencyFile, NothingElseIsInTheFile)
 {
   const FileReader with(WriteLarge(true)), without(WriteLarge(false));
   EXPECT_FALSE(without.HasDependencies());
-  EXPECT_LT(without.GetFormatVersion().second, int{ MinorVersionWithDependencies });
   EXPECT_EQ(without.GetStatistics().DependencyBytes, 0u);
   EXPECT_THROW(without.ReadDependencies(without.GetMergeTree()), Error);
   EXPECT_EQ(with.GetStatistics().TreeBytes, without.GetStatistics().TreeBytes);
@@ -121,7 +119,6 @@ TEST(DependencyFile, TreesWithoutMergesHaveNoSection)
   const auto path = TempPath("stiff.gtn");
   Write(path, mesh, MakeOptions(tree));
   EXPECT_FALSE(FileReader(path).HasDependencies());
-  EXPECT_EQ(FileReader(path).GetFormatVersion().second, int{ MinorVersionWithTree });
   auto file = std::make_shared<const FileReader>(path);
   const auto found = SimplifiedFile(file).GetDependencies(*file);
   ASSERT_TRUE(found);
@@ -239,14 +236,14 @@ TEST(DependencyFile, SimplifiedFilesReadThemOnceOrFindThem)
 }
 
 /** The good image with a section DEPS, or more than one. */
-std::string PutImage(const std::vector<Bytes>& streams, std::uint16_t version = SectionVersion)
+std::string PutImage(const std::vector<Bytes>& streams)
 {
   auto image = GetGoodImage();
   image.Levels.clear();
   image.Tree.Levels.clear();
   for (const auto& stream : streams)
   {
-    image.MoreSections.push_back({ SectionDependencies, stream, version, 0 });
+    image.MoreSections.push_back({ SectionDependencies, stream, SectionVersion, 0 });
   }
   return PutFile("changed.gtn", image.Build());
 }
@@ -324,10 +321,6 @@ TEST(DependencyFile, SectionsOfNoUse)
   const auto twice = PutImage({ good, good });
   EXPECT_GATUN_ERROR(
     ErrorCode::Corrupt, twice, "the dependencies of merges", [&] { FileReader file(twice); });
-  // Of another version: ignored, as if it were not there.
-  const auto newer = PutImage({ Bytes(9, 0xff) }, 2);
-  EXPECT_FALSE(FileReader(newer).HasDependencies());
-  EXPECT_TRUE(VerifyFile(FileReader(newer)));
   // A tree of another file.
   const FileReader file(PutImage({ good }));
   EXPECT_THROW(file.ReadDependencies(MergeTree(7, {})), Error);

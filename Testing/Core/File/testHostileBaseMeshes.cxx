@@ -101,16 +101,15 @@ TEST(HostileBaseMeshes, ABaseMeshMustBeWhatIsLeft)
 
   // No tree, base meshes of its own, the whole file itself, times that differ.
   auto level = TreeImage(PutFile("level.gtn", good.Levels[1]));
-  level.TreeVersion = 2;
+  level.TreeName = MakeFourCC("NONE");
   ExpectLevelRefused(NotWhatIsLeft, level.Build());
-  level.TreeVersion = 1;
+  level.TreeName = SectionTree;
   level.Tree.Levels = { 1 };
   level.Levels = { good.Levels[1] };
   ExpectLevelRefused(NotWhatIsLeft, level.Build());
   ExpectLevelRefused(NotWhatIsLeft, good.Build());
   FileImage moved(PutFile("level.gtn", good.Levels[1]));
   moved.Steps[1].Time += 1;
-  moved.Minor = 1;
   ExpectLevelRefused(NotWhatIsLeft, moved.Build());
 }
 

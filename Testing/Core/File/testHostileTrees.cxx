@@ -130,7 +130,7 @@ TEST(HostileTrees, TablesCannotExpandAtWill)
   {
     return [=](TreeImage& f)
     {
-      f.TreeVersion = SectionVersion + (name == SectionTree ? 1 : 0); // then it is not looked at
+      f.TreeName = name == SectionTree ? MakeFourCC("NONE") : SectionTree; // is not looked at
       if (name == SectionTreeStep)
       {
         f.TreeSteps.clear();
@@ -312,16 +312,16 @@ TEST(HostileTrees, EachTimeStepHasItsRanges)
 
 TEST(HostileTrees, WithoutATreeTheRestIsIgnored)
 {
-  for (const bool newer : { false, true })
+  for (const bool isOther : { false, true })
   {
     auto image = GetGoodImage();
-    image.TreeVersion = newer ? 2 : 1;
+    image.TreeName = isOther ? MakeFourCC("NONE") : SectionTree;
     image.StoredTree = Bytes(7, 0xff);
     image.Levels.assign(3, Bytes(9, 1));
     image.TreeSteps.clear();
     image.StoredSteps.assign(5, Bytes(3, 0xff));
     const auto path = PutFile("changed.gtn", image.Build());
-    if (newer)
+    if (isOther)
     {
       EXPECT_NO_THROW(ReadTree(path));
       EXPECT_TRUE(VerifyFile(FileReader(path)));

@@ -64,7 +64,6 @@ TEST(SurfaceFile, IsMarkedAndSkippedByOlderReaders)
   EXPECT_TRUE(FileReader::IsSurfaceFile(path));
   const FileReader file(path);
   EXPECT_TRUE(file.IsSurface());
-  EXPECT_EQ(file.GetFormatVersion(), std::pair(1, 4));
   EXPECT_EQ(file.GetNumberOfTets(), 0u);
   EXPECT_TRUE(VerifyFile(file));
   EXPECT_NO_THROW(ReadAll(path));
@@ -73,7 +72,6 @@ TEST(SurfaceFile, IsMarkedAndSkippedByOlderReaders)
   const auto plain = Write({}, {});
   EXPECT_FALSE(FileReader::IsSurfaceFile(plain));
   EXPECT_FALSE(FileReader(plain).IsSurface());
-  EXPECT_EQ(FileReader(plain).GetFormatVersion(), std::pair(1, 3));
   const InputFile container(path);
   for (const auto& section : container.GetSections())
   {
@@ -157,17 +155,15 @@ std::string PutMarks(const std::vector<FileImage::Section>& marks)
   return PutFile("changed.gtn", file.Build());
 }
 
-FileImage::Section Mark(Bytes payload, std::uint16_t version = SectionVersion)
+FileImage::Section Mark(Bytes payload)
 {
-  return { SectionSurface, std::move(payload), version, 0 };
+  return { SectionSurface, std::move(payload), SectionVersion, 0 };
 }
 
 TEST(HostileSurfaces, MarksAreChecked)
 {
   EXPECT_TRUE(FileReader(PutMarks({ Mark({ 1 }) })).IsSurface());
   EXPECT_FALSE(FileReader(PutMarks({})).IsSurface());
-  // Another version is unknown, and the section may be skipped.
-  EXPECT_FALSE(FileReader(PutMarks({ Mark({ 9, 9 }, 2) })).IsSurface());
   for (const Bytes& payload : { Bytes{}, Bytes{ 0 }, Bytes{ 2 }, Bytes{ 1, 0 } })
   {
     const auto path = PutMarks({ Mark(payload) });

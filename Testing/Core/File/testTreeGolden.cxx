@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Golden files with merge trees. They must be read as by an independent decoder, which was written
-// from Documentation/format.md alone. See Testing/Python/make_golden_trees.py.
+// from Documentation/format.md alone. See Testing/Python/make_golden.py.
 
 #include "gatunContainer.h"
 #include "gatunFileReader.h"
 #include "gatunFileReaderInternals.h"
+#include "gatunGolden.h"
 #include "gatunMergeDependencies.h"
 #include "gatunPieceDecoder.h"
 #include "gatunVerifyFile.h"
@@ -16,8 +17,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -51,7 +50,7 @@ void Put(ByteWriter& out, const Range& range)
   out.Put(range.Max);
 }
 
-/** Lines as in trees.txt. */
+/** Lines as in expected.json. */
 class Description
 {
 public:
@@ -230,47 +229,17 @@ private:
   std::vector<std::uint32_t> Rungs;
 };
 
-void CompareFolder(int minor)
-{
-  const auto folder =
-    std::filesystem::path(GATUN_TEST_DATA) / "Golden" / ("v1." + std::to_string(minor));
-  std::ifstream in(folder / "trees.txt");
-  std::ostringstream expected;
-  expected << in.rdbuf();
-  ASSERT_GT(expected.str().size(), 1000u);
-  std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-  {
-    if (entry.path().extension() == ".gtn")
-    {
-      paths.push_back(entry.path());
-    }
-  }
-  std::sort(paths.begin(), paths.end());
-  std::string all;
-  for (const auto& path : paths)
-  {
-    const auto file = std::make_shared<const FileReader>(path.string());
-    EXPECT_TRUE(VerifyFile(*file)) << path;
-    EXPECT_EQ(file->GetFormatVersion(), (std::pair{ 1, minor })) << path;
-    all += Description(file, path.filename().string()).Out.str();
-  }
-  EXPECT_EQ(all, expected.str());
-}
-
 TEST(TreeGolden, FilesAreReadAsAnIndependentDecoderDoes)
 {
-  CompareFolder(1);
-}
-
-TEST(TreeGolden, SurfacesAreReadAsAnIndependentDecoderDoes)
-{
-  CompareFolder(6);
-}
-
-TEST(TreeGolden, DependenciesAreReadAsAnIndependentDecoderDoes)
-{
-  CompareFolder(7);
+  const auto expected = test::ReadExpectedLines("merges");
+  EXPECT_GT(expected.size(), 10u);
+  for (const auto& [name, lines] : expected)
+  {
+    const auto path = (test::GetGoldenFolder() / name).string();
+    const auto file = std::make_shared<const FileReader>(path);
+    EXPECT_TRUE(VerifyFile(*file)) << path;
+    EXPECT_EQ(Description(file, name).Out.str(), lines);
+  }
 }
 }
 }

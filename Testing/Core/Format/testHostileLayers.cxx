@@ -30,15 +30,14 @@ struct LayerImage
     this->Table.Spacing = LayerSpacing::Uniform;
     this->Table.Bounds = { -1e9, 0, 1e9 };
     this->Table.Chunks.assign(this->File.Mesh.Chunks.size(), { 0, 3 });
-    this->File.Minor = MinorVersionWithLayers;
   }
 
   Bytes Build() const
   {
     auto file = this->File;
-    file.MoreSections.push_back({ SectionLayers,
-      this->Stored ? Store(*this->Stored) : WriteLayers(this->Table, this->File.Meta),
-      this->Version, 0 });
+    file.MoreSections.push_back(
+      { this->Name, this->Stored ? Store(*this->Stored) : WriteLayers(this->Table, this->File.Meta),
+        SectionVersion, 0 });
     file.MoreSections.insert(file.MoreSections.end(), this->More.begin(), this->More.end());
     return file.Build();
   }
@@ -46,7 +45,7 @@ struct LayerImage
   FileImage File;
   Layers Table;
   std::optional<Bytes> Stored; // written in place of the table
-  std::uint16_t Version = SectionVersion;
+  FourCC Name = SectionLayers;
   std::vector<FileImage::Section> More;
 };
 
@@ -158,7 +157,7 @@ TEST(HostileLayers, ATableCutShortIsRefused)
   ExpectRefused("claims to hold",
     [](LayerImage& f)
     {
-      f.Version = SectionVersion + 1; // then it is not looked at
+      f.Name = MakeFourCC("NONE"); // then it is not looked at
       f.More.push_back(
         { SectionLayers, Compress(Bytes((std::size_t{ 1 } << 20) + 1, 0)), SectionVersion, 0 });
     });
@@ -170,16 +169,6 @@ TEST(HostileLayers, ThereIsOneTable)
     [](LayerImage& f) {
       f.More.push_back({ SectionLayers, WriteLayers(f.Table, f.File.Meta), SectionVersion, 0 });
     });
-}
-
-TEST(HostileLayers, ATableOfALaterVersionIsSkipped)
-{
-  LayerImage image;
-  image.Version = SectionVersion + 1;
-  image.Stored = Bytes(5, 77);
-  const auto path = PutFile("later.gtn", image.Build());
-  EXPECT_NO_THROW(ReadAll(path));
-  EXPECT_FALSE(FileReader(path).HasLayers());
 }
 
 TEST(HostileLayers, ASpacingOfALaterVersionIsAnother)

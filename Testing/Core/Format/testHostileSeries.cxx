@@ -47,16 +47,23 @@ struct SeriesImage
     AddMasks(other, this->OtherMasks);
     for (std::size_t i = 0; i < this->Others; ++i)
     {
-      file.MoreSections.push_back({ SectionGrid, this->Shared ? *this->Shared : other.Build(),
-        this->Shared ? GridVersionWithExtents : SectionVersion, 0 });
+      file.MoreSections.push_back(
+        { SectionGrid, this->Shared ? *this->Shared : MakeGrid(other.Build()) });
     }
     if (this->HasTable)
     {
       file.MoreSections.push_back(
-        { SectionTime, this->Stored ? Store(*this->Stored) : WriteSeries(this->Table),
-          HasMasks(this->Table) ? TimeVersionWithMasks : SectionVersion });
+        { SectionTime, this->Stored ? Store(*this->Stored) : WriteSeries(this->Table) });
     }
     return file.Build();
+  }
+
+  /** The payload of a section GRID that has all bytes of the file. */
+  static Bytes MakeGrid(const Bytes& file)
+  {
+    Bytes payload = WriteExtents({});
+    payload.insert(payload.end(), file.begin(), file.end());
+    return payload;
   }
 
   static void AddMasks(FileImage& file, const std::vector<Bytes>& masks)
@@ -160,7 +167,7 @@ TEST(HostileSeries, OtherMeshesAreAsTheFirst)
     "it is part of a file, and has several meshes",
     [](SeriesImage& f)
     {
-      f.Other.MoreSections.push_back({ SectionGrid, f.File.Build(), SectionVersion, 0 });
+      f.Other.MoreSections.push_back({ SectionGrid, SeriesImage::MakeGrid(f.File.Build()) });
       f.Other.MoreSections.push_back({ SectionTime,
         WriteSeries(
           std::vector<StoredStep>{ { 0, 0, 1 }, { 0, 0, 3 }, { 0, 0, 5 }, { 1, 0, 6 } }) });
@@ -189,6 +196,7 @@ TEST(HostileSeries, TablesMustBeWhole)
       for (const auto& step : f.Table)
       {
         out.PutVarint(step.Mesh);
+        out.PutVarint(step.Mask);
         out.Put(step.Time);
       }
       out.Put(std::uint8_t{ 0 });
@@ -281,6 +289,10 @@ TEST(HostileSeries, BytesInCommonAreBeforeTheMesh)
     1);
   ExpectRefused(
     "the data ends too early", [](SeriesImage& f) { f.Shared = Bytes(3, 1); }, 1);
+  ExpectRefused(
+    "the data ends too early", [](SeriesImage& f) { f.Shared = Bytes(); }, 1);
+  ExpectRefused(
+    "the file is empty", [](SeriesImage& f) { f.Shared = Bytes(1, 0); }, 1);
 }
 
 /** The bytes of a mask. points: as many as are left out. */

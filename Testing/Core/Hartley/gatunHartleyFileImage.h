@@ -58,15 +58,13 @@ struct HartleyFileImage
       });
     FileImage frame;
     frame.Kind = &VolumeContainer;
-    frame.Major = this->Major;
-    frame.Minor = this->Minor;
+    frame.Version = this->Version;
     return frame.Assemble({ { SectionBlocks, blocks },
       { SectionTable, this->TableBytes ? *this->TableBytes : placed.Table.Write(this->Meta) },
       { SectionMeta, this->MetaBytes ? *this->MetaBytes : this->Meta.Write() } });
   }
 
-  std::uint16_t Major = 1;
-  std::uint16_t Minor = 0;
+  std::uint32_t Version = 1;
   HartleyMeta Meta;
   HartleyTable Table;
   std::vector<Bytes> Streams;

@@ -161,7 +161,7 @@ TEST(HartleyFile, TellsWhatItWasMadeOf)
   EXPECT_EQ(file.GetRateControl().Value, 35);
   EXPECT_EQ(file.GetRateControl().FrequencyWeight, 1.5);
   EXPECT_FALSE(file.IsLossless());
-  EXPECT_EQ(file.GetFormatVersion(), std::pair(1, 0));
+  EXPECT_EQ(file.GetFormatVersion(), 1u);
   EXPECT_EQ(file.GetFileBytes(), written.FileBytes);
   EXPECT_EQ(file.GetFileBytes(), std::filesystem::file_size(path));
   EXPECT_EQ(file.GetLayout(), HartleyLayout::Make(volume.Input.Size, 4));

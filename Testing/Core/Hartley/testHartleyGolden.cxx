@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Golden files of volumes: what is read of them is what a decoder said that was written from
-// Documentation/ghv-format.md alone. See Testing/Python/make_golden_volumes.py.
+// Documentation/ghv-format.md alone. See Testing/Python/make_golden.py.
 
 #include "gatunContainer.h"
+#include "gatunGolden.h"
 #include "gatunHartleyFile.h"
 #include "gatunHartleySample.h"
 
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 namespace gatun::test
@@ -28,7 +28,7 @@ std::string GetSum(std::span<const std::uint8_t> bytes)
   return text.data();
 }
 
-/** Lines as in volumes.txt. */
+/** Lines as in expected.json. */
 std::string Describe(const std::filesystem::path& path)
 {
   const HartleyFile file(path.string());
@@ -83,24 +83,11 @@ std::string Describe(const std::filesystem::path& path)
 
 TEST(HartleyGolden, FilesAreReadAsTheySay)
 {
-  const auto folder = std::filesystem::path(GATUN_TEST_DATA) / "Golden" / "ghv-1.0";
-  std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  const auto expected = ReadExpectedLines("volumes");
+  EXPECT_GT(expected.size(), 5u);
+  for (const auto& [name, lines] : expected)
   {
-    if (entry.path().extension() == ".ghv")
-    {
-      paths.push_back(entry.path());
-    }
+    EXPECT_EQ(Describe(GetGoldenFolder() / name), lines);
   }
-  std::sort(paths.begin(), paths.end());
-  ASSERT_FALSE(paths.empty());
-  std::string described;
-  for (const auto& path : paths)
-  {
-    described += Describe(path);
-  }
-  std::ifstream in(folder / "volumes.txt");
-  const std::string expected{ std::istreambuf_iterator<char>(in), {} };
-  EXPECT_EQ(described, expected);
 }
 }

@@ -12,6 +12,5 @@ TEST(Version, LibraryAgreesWithItsHeaders)
   EXPECT_EQ(gatun::PackageVersion(),
     std::to_string(GATUN_VERSION_MAJOR) + "." + std::to_string(GATUN_VERSION_MINOR) + "." +
       std::to_string(GATUN_VERSION_PATCH));
-  EXPECT_EQ(gatun::FormatVersion(),
-    std::to_string(GATUN_FORMAT_VERSION_MAJOR) + "." + std::to_string(GATUN_FORMAT_VERSION_MINOR));
+  EXPECT_EQ(gatun::FormatVersion(), std::to_string(GATUN_FORMAT_VERSION));
 }
