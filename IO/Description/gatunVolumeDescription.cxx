@@ -182,8 +182,8 @@ double ComputePeakSignalToNoise(const Range& range, double rootMeanSquareError)
 Description DescribeVolume(const HartleyFile& file, bool isVerified, bool verbose)
 {
   const auto version = file.GetFormatVersion();
-  Description description(file.GetPath() + ": format " + std::to_string(version) + ", written by Gatun " +
-    MakePrintableLine(file.GetWriterVersion()));
+  Description description(file.GetPath() + ": format " + std::to_string(version) +
+    ", written by Gatun " + MakePrintableLine(file.GetWriterVersion()));
   description.Add("file", nullptr, Entry(file.GetPath()));
   description.Add("formatVersion", nullptr, Entry(std::uint64_t{ version }));
   description.Add("writerVersion", nullptr, Entry(file.GetWriterVersion()));
