@@ -19,8 +19,6 @@ namespace gatun::test
 {
 namespace
 {
-constexpr Range Values{ 0, 1 };
-
 /** Deals the tetrahedra of a mesh out at random; the last part stays empty. */
 std::vector<ReferenceMesh> Deal(const ReferenceMesh& mesh, std::size_t parts)
 {
