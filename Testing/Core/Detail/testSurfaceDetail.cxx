@@ -20,7 +20,7 @@ namespace gatun::test
 namespace
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr int Pixels = 400;
+constexpr int WindowPixels = 400;
 
 /** A view from a place to another one, with x or y to the right. */
 SurfaceDetailView MakeView(const Vec& from, const Vec& to, bool isParallel = false)
@@ -51,7 +51,7 @@ SurfaceDetailView MakeView(const Vec& from, const Vec& to, bool isParallel = fal
   const double wide = isParallel ? 2 : 0.5;
   frustum.Left = frustum.Bottom = -wide;
   frustum.Right = frustum.Top = wide;
-  SurfaceDetailView view{ RayView(rows, frustum, Pixels, Pixels, 0.01) };
+  SurfaceDetailView view{ RayView(rows, frustum, WindowPixels, WindowPixels, 0.01) };
   view.IsOpaque = true;
   return view;
 }
