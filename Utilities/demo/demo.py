@@ -139,7 +139,7 @@ class Demo:
     def draw_volume(self):
         told, panel = draw("render", "demo.gtn", *self.option)
         self.add("Volume, straight from the file", "drawn while it is decoded, in "
-                 f"{told['images'][0]['seconds']:.2f} s and {told['peakMemory'] / 1e6:.0f} MB of memory", panel)
+                 f"{told['statistics']['seconds']:.2f} s and {told['peakMemory'] / 1e6:.0f} MB of memory", panel)
 
     def contour(self):
         """In a shadow of the whole."""
@@ -194,7 +194,7 @@ class Demo:
         told, panel = draw("volume render", "scan.ghv")
         self.add("A volume by Hartley projection", f"{' x '.join(map(str, voxels))} voxels, "
                  f"{8 * os.path.getsize('scan.ghv') / np.prod(voxels):.2f} bits each at 50 dB, drawn from coefficients "
-                 f"in {told['images'][0]['seconds']:.2f} s", panel)
+                 f"in {told['statistics']['seconds']:.2f} s", panel)
 
 
 def main():
