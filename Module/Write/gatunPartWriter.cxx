@@ -440,7 +440,7 @@ void PartWriter::Internals::WriteStep(std::span<const void* const> values, const
 {
   if (!this->Part)
   {
-    ThrowInvalid("all surveyed time steps have been written");
+    ThrowInvalid("no part is being written, or all of its surveyed time steps have been written");
   }
   const auto number = this->GetNumber(this->Written - 1);
   const auto& surveyed = this->Parts[number];

@@ -76,7 +76,7 @@ TEST_F(PartWriterErrors, CallsOutOfOrder)
     });
   this->Refuse(
     "no part to survey", [&](PartWriter& writer) { SurveyStep(writer, this->Parts[0]); });
-  this->Refuse("no part to write",
+  this->Refuse("no part is being written",
     [&](PartWriter& writer) { writer.WriteStep(PartValues(this->Parts[0], 0).Get()); });
   this->Refuse("before the first one is written",
     [&](PartWriter& writer)
@@ -92,7 +92,7 @@ TEST_F(PartWriterErrors, CallsOutOfOrder)
       writer.Write(this->Parts[0].GetInput());
       writer.Write(this->Parts[1].GetInput());
     });
-  this->Refuse("a further time step was surveyed",
+  this->Refuse("all of its surveyed time steps have been written",
     [&](PartWriter& writer)
     {
       this->SurveyAll(writer);
