@@ -1,11 +1,7 @@
 # Builds the modules in the way of VTK's Remote folder: a project above them finds every vtk.module
 # below Remote/, asks for VTK::Gatun and builds what that needs in one go.
-#
-# The layout is tested, not the sources: one source of each folder is compiled, with the options that
-# the layout gives it, and all libraries are linked. The other objects are those of BUILD_DIR.
 include("${CMAKE_CURRENT_LIST_DIR}/gatunRun.cmake")
 
-set(ENV{GATUN_BUILD} "${BUILD_DIR}")
 file(REMOVE_RECURSE "${TEMP}")
 file(COPY "${CMAKE_CURRENT_LIST_DIR}/Remote/" DESTINATION "${TEMP}/source")
 file(COPY "${SOURCE_DIR}/" DESTINATION "${TEMP}/source/Remote/Gatun"
@@ -18,6 +14,6 @@ run("${CMAKE_COMMAND}"
   "-DCMAKE_CXX_FLAGS_DEBUG=-O0"
   "-DCMAKE_C_COMPILER=${C_COMPILER}"
   "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
-  "-DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CURRENT_LIST_DIR}/reuse_object.sh"
+  -DCMAKE_UNITY_BUILD=ON
   "-DVTK_DIR=${VTK_DIR}")
 run("${CMAKE_COMMAND}" --build "${TEMP}/build")
