@@ -225,6 +225,7 @@ run_test() {
     all=ON
     selection=()
     run_lint --tidy
+    install_packages "${packages_bench[@]}"
   fi
   install_packages "${packages_build[@]}" "${packages_window[@]}" "${packages_test[@]}" \
     "${packages_paraview[@]}"
