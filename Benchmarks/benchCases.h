@@ -32,7 +32,7 @@ void PrintJson(Fill&& fill)
 {
   Json::Value json(Json::objectValue);
   fill(json);
-  std::fputs(gtn::JsonText(json).c_str(), stdout);
+  std::fputs(gtn::WriteJson(json).c_str(), stdout);
 }
 }
 

@@ -63,7 +63,7 @@ void WarmUpAndRunInterleaved(std::vector<Operation>& operations, int rounds)
 //------------------------------------------------------------------------------
 void AddList(Json::Value& json, const char* name, const std::vector<double>& values)
 {
-  json[name] = gtn::JsonArray(values);
+  json[name] = gtn::MakeJsonArray(values);
 }
 
 //------------------------------------------------------------------------------

@@ -53,7 +53,7 @@ void MeasureLoading(const LoadOptions& options)
       json["seconds"] = Json::arrayValue;
       for (const Operation& operation : operations)
       {
-        json["seconds"].append(gtn::JsonArray(operation.Seconds));
+        json["seconds"].append(gtn::MakeJsonArray(operation.Seconds));
       }
     });
 }

@@ -75,7 +75,7 @@ std::string JoinArguments(int argc, char* argv[])
       !argument.empty() && argument.find_first_of(" '\"\\$#*?|&;<>()[]{}~`!") == argument.npos;
     arguments.push_back(plain ? std::string(argument) : "'" + quoted + "'");
   }
-  return Joined(arguments, " ");
+  return Join(arguments, " ");
 }
 
 int Run(int argc, char* argv[])

@@ -133,17 +133,16 @@ void AddBashCases(const CLI::App& app, const std::string& path, BashCases& cases
       }
       else if (value.IsTaken)
       {
-        cases.Values +=
-          fmt::format("    {}) words='{}' rest={} ;;\n", key, Joined(value.Words, " "),
-            value.Files       ? "files"
-              : value.Folders ? "folders"
-                              : "none");
+        cases.Values += fmt::format("    {}) words='{}' rest={} ;;\n", key, Join(value.Words, " "),
+          value.Files       ? "files"
+            : value.Folders ? "folders"
+                            : "none");
       }
     }
   }
   if (!free.empty())
   {
-    cases.Values += fmt::format("    {}) rest=none ;;\n", Joined(free, " | "));
+    cases.Values += fmt::format("    {}) rest=none ;;\n", Join(free, " | "));
   }
 
   std::vector<std::string> commands;
@@ -153,7 +152,7 @@ void AddBashCases(const CLI::App& app, const std::string& path, BashCases& cases
   }
   cases.Commands +=
     fmt::format("    {}) options='{}' words='{}' rest={} ;;\n", path.empty() ? "''" : path,
-      Joined(all, " "), Joined(commands, " "), TakesFiles(app) ? "files" : "none");
+      Join(all, " "), Join(commands, " "), TakesFiles(app) ? "files" : "none");
   for (const CLI::App* command : CommandsOf(app))
   {
     cases.Paths.push_back(path + "/" + command->get_name());
@@ -195,7 +194,7 @@ _gtn()
 }}
 complete -o default -F _gtn gtn
 )",
-    Joined(cases.Paths, " | "), cases.Commands, cases.Values);
+    Join(cases.Paths, " | "), cases.Commands, cases.Values);
 }
 
 // Text in single quotes, in which zsh's _arguments sees no syntax.
@@ -218,7 +217,7 @@ std::string ZshValue(const CLI::Option& option)
   {
     return {};
   }
-  std::string action = value.Words.empty() ? "" : "(" + Joined(value.Words, " ") + ")";
+  std::string action = value.Words.empty() ? "" : "(" + Join(value.Words, " ") + ")";
   if (value.Files && !value.Words.empty())
   {
     action = fmt::format("_alternative \"words\\:value\\:{}\" \"files\\:file\\:_files\"", action);
@@ -243,7 +242,7 @@ std::string ZshOptions(const CLI::App& app)
       const bool isLong = name.size() > 2;
       const bool takes = ValueOf(*option).IsTaken;
       specifications += fmt::format("    '{}{}{}[{}]{}' \\\n",
-        repeats ? "*" : "(" + Joined(names, " ") + ")", name, takes ? (isLong ? "=" : "+") : "",
+        repeats ? "*" : "(" + Join(names, " ") + ")", name, takes ? (isLong ? "=" : "+") : "",
         ZshText(FirstSentence(option->get_description())), ZshValue(*option));
     }
   }
@@ -308,7 +307,7 @@ void PrintCompletion(const CLI::App& app, const std::string& shell)
   }
   else
   {
-    throw UsageError("--completion: bash or zsh, not " + Printable(shell));
+    throw UsageError("--completion: bash or zsh, not " + MakePrintableLine(shell));
   }
 }
 }

@@ -81,7 +81,7 @@ void Check(const ContourOptions& options)
   if (options.Values.size() > MostValues)
   {
     throw UsageError(fmt::format("--value: {} isovalues are too many; the maximum is {}",
-      Grouped(options.Values.size()), Grouped(MostValues)));
+      GroupDigits(options.Values.size()), GroupDigits(MostValues)));
   }
   if (options.Strips && !format.Strips)
   {
@@ -113,8 +113,8 @@ std::vector<double> MakeValues(const ContourOptions& options, const ContourInput
   if (!(range.Min <= range.Max) || !std::isfinite(range.Min) || !std::isfinite(range.Max))
   {
     throw Failure(options.Input.File,
-      fmt::format(
-        "array '{}' has no finite range of values; give --value", Printable(input.GetArray())));
+      fmt::format("array '{}' has no finite range of values; give --value",
+        MakePrintableLine(input.GetArray())));
   }
   std::vector<double> values;
   for (int i = 1; i <= options.Number; ++i)
@@ -134,14 +134,14 @@ std::string ListOf(const std::vector<double>& values)
   {
     if (values.size() <= few || i < few - 2 || i + 1 == values.size())
     {
-      texts.push_back(Number(values[i]));
+      texts.push_back(DescribeNumber(values[i]));
     }
     else if (i == few - 2)
     {
       texts.emplace_back("...");
     }
   }
-  return Joined(texts);
+  return Join(texts);
 }
 
 /** Says which of the values are not among those of the mesh, or that nothing has come of any. */
@@ -160,7 +160,7 @@ void WarnOfNothing(const ContourOptions& options, const ContourInput& input,
     ? fmt::format("has values from {:.7g} to {:.7g}", range.Min, range.Max)
     : "has no values";
   Say(fmt::format("{}: no surface at {}: array '{}' {}", options.Input.File,
-    ListOf(isEmpty ? values : outside), Printable(input.GetArray()), has));
+    ListOf(isEmpty ? values : outside), MakePrintableLine(input.GetArray()), has));
 }
 
 Size Measure(vtkPolyData* surface)
@@ -183,12 +183,12 @@ void PrintRow(const std::string& title, const std::string& value)
 void PrintStatistics(const ContourOptions& options, const ContourInput& input,
   const std::vector<double>& values, const Size& size, vtkGatunContour* contour, double seconds)
 {
-  PrintRow("isovalues", Grouped(values.size()));
-  PrintRow("triangles", Grouped(size.Triangles));
-  PrintRow("points", Grouped(size.Points));
+  PrintRow("isovalues", GroupDigits(values.size()));
+  PrintRow("triangles", GroupDigits(size.Triangles));
+  PrintRow("points", GroupDigits(size.Points));
   if (size.Strips > 0)
   {
-    PrintRow("strips", Grouped(size.Strips));
+    PrintRow("strips", GroupDigits(size.Strips));
     const auto triangles = static_cast<double>(size.Triangles);
     PrintRow("  triangles in each, mean",
       fmt::format("{:.2f}", triangles / static_cast<double>(size.Strips)));
@@ -198,13 +198,13 @@ void PrintStatistics(const ContourOptions& options, const ContourInput& input,
   if (input.IsFile())
   {
     const auto grouped = [](vtkIdType number)
-    { return Grouped(static_cast<std::uint64_t>(number)); };
+    { return GroupDigits(static_cast<std::uint64_t>(number)); };
     PrintRow("layers of the array", input.IsLayered() ? "yes" : "no");
     PrintRow("chunks passed through", grouped(contour->GetNumberOfChunksUsed()));
     PrintRow("  of", grouped(contour->GetNumberOfChunks()));
     PrintRow("tetrahedra in these", grouped(contour->GetNumberOfTetrahedraUsed()));
-    PrintRow("read", ByteSize(contour->GetBytesRead()));
-    PrintRow("  of", ByteSize(std::filesystem::file_size(options.Input.File)));
+    PrintRow("read", DescribeByteSize(contour->GetBytesRead()));
+    PrintRow("  of", DescribeByteSize(std::filesystem::file_size(options.Input.File)));
   }
   PrintRow("time", fmt::format("{:.3f} s", seconds));
 }
@@ -219,7 +219,7 @@ void Contour(const ContourOptions& options, const Settings& settings)
   {
     fmt::print("{}: not organized by layers of '{}' (see gtn pack --layers); surfaces need more of "
                "the file\n",
-      options.Input.File, Printable(input.GetArray()));
+      options.Input.File, MakePrintableLine(input.GetArray()));
   }
   vtkNew<vtkGatunContour> contour;
   input.Connect(contour);
@@ -255,8 +255,8 @@ void Contour(const ContourOptions& options, const Settings& settings)
   }
   if (!settings.Quiet || options.Statistics)
   {
-    fmt::print("{}: {} triangles, {} points, {}\n", options.Out, Grouped(size.Triangles),
-      Grouped(size.Points), ByteSize(std::filesystem::file_size(options.Out)));
+    fmt::print("{}: {} triangles, {} points, {}\n", options.Out, GroupDigits(size.Triangles),
+      GroupDigits(size.Points), DescribeByteSize(std::filesystem::file_size(options.Out)));
   }
   if (options.Statistics)
   {

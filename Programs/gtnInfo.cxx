@@ -90,7 +90,7 @@ void AddInfo(CLI::App& app, Settings& settings)
       {
         Histogram(file, wanted).Describe(description);
       }
-      fmt::print("{}", options->Json ? JsonText(description.GetJson()) : description.GetText());
+      fmt::print("{}", options->Json ? WriteJson(description.GetJson()) : description.GetText());
     });
 }
 }

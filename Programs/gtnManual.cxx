@@ -142,7 +142,7 @@ std::string DescribeRest(const CLI::App& app, const std::string& name)
   {
     others.push_back(ReferenceTo(name + " " + command->get_name()));
   }
-  return text + Joined(others, " ,\n") + "\n";
+  return text + Join(others, " ,\n") + "\n";
 }
 
 std::string DescribeProgram(const CLI::App& app)

@@ -148,14 +148,14 @@ void PrintSizes(vtkGatunWriter* writer, const PackOptions& options, bool verbose
   const vtkTypeUInt64 steps = writer->GetWrittenSteps();
   const vtkTypeUInt64 meshes = writer->GetWrittenMeshes();
   fmt::print("{}: {}, {} points{}{}\n", options.Out,
-    meshes > 1 ? Grouped(writer->GetWrittenCells()) + " cells" : ListCells(file),
-    Grouped(writer->GetWrittenPoints()), meshes > 1 ? fmt::format(" of {} meshes", meshes) : "",
+    meshes > 1 ? GroupDigits(writer->GetWrittenCells()) + " cells" : ListCells(file),
+    GroupDigits(writer->GetWrittenPoints()), meshes > 1 ? fmt::format(" of {} meshes", meshes) : "",
     steps > 1 ? fmt::format(", {} time steps", steps) : "");
   const auto print = [cells](const std::string& name, vtkTypeUInt64 bytes)
   {
     if (bytes > 0)
     {
-      fmt::print("  {:<14} {:>14} bytes", name, Grouped(bytes));
+      fmt::print("  {:<14} {:>14} bytes", name, GroupDigits(bytes));
       if (cells > 0)
       {
         fmt::print(" {:>9.3f} bits/cell", 8. * static_cast<double>(bytes) / cells);
@@ -171,7 +171,7 @@ void PrintSizes(vtkGatunWriter* writer, const PackOptions& options, bool verbose
     const std::vector<std::uint64_t> bytes = file.GetStatistics().ArrayBytes;
     for (std::size_t i = 0; i < bytes.size(); ++i)
     {
-      print("  " + Printable(file.GetArrays()[i].Name), bytes[i]);
+      print("  " + MakePrintableLine(file.GetArrays()[i].Name), bytes[i]);
     }
   }
   print("order", writer->GetOrderBytes());

@@ -119,8 +119,8 @@ void Render(const RenderOptions& options, const Settings& settings)
   json["unitDistance"] = property->GetScalarOpacityUnitDistance();
   json["shaded"] = property->GetShade() != 0;
   PrintImage(options, settings, rendered,
-    fmt::format(
-      "'{}' of {} tetrahedra", Printable(input->GetArray()), Grouped(input->GetNumberOfTets())),
+    fmt::format("'{}' of {} tetrahedra", MakePrintableLine(input->GetArray()),
+      GroupDigits(input->GetNumberOfTets())),
     json);
 }
 

@@ -77,7 +77,7 @@ void PrintError(vtkPointSet* mesh, vtkGatunSimplify* simplifier, const Settings&
 {
   if (!settings.Quiet)
   {
-    fmt::print("  of {} points, error {:.3g}\n", Grouped(mesh->GetNumberOfPoints()),
+    fmt::print("  of {} points, error {:.3g}\n", GroupDigits(mesh->GetNumberOfPoints()),
       simplifier->GetOutputRMSError());
   }
 }
@@ -91,8 +91,8 @@ void WriteTriangles(vtkPolyData* surface, const SimplifyOptions& options, const 
   if (!settings.Quiet)
   {
     fmt::print("{}: {} triangles, {} points, {}\n", options.Out,
-      Grouped(surface->GetNumberOfPolys()), Grouped(surface->GetNumberOfPoints()),
-      ByteSize(std::filesystem::file_size(options.Out)));
+      GroupDigits(surface->GetNumberOfPolys()), GroupDigits(surface->GetNumberOfPoints()),
+      DescribeByteSize(std::filesystem::file_size(options.Out)));
   }
 }
 

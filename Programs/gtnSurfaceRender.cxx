@@ -310,6 +310,6 @@ void RenderSurface(const RenderOptions& options, const Settings& settings)
   json["array"] = array;
   json["component"] = input->GetComponent();
   PrintImage(options, settings, rendered,
-    fmt::format("a surface of {} cells", Grouped(input->GetNumberOfCells())), json);
+    fmt::format("a surface of {} cells", GroupDigits(input->GetNumberOfCells())), json);
 }
 }

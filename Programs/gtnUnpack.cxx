@@ -70,9 +70,9 @@ void UnpackSurface(vtkPolyData* surface, const UnpackOptions& options, const Set
   if (!settings.Quiet)
   {
     fmt::print("{}: {} cells, {} points, {}\n", options.Out,
-      Grouped(static_cast<std::uint64_t>(surface->GetNumberOfCells())),
-      Grouped(static_cast<std::uint64_t>(surface->GetNumberOfPoints())),
-      ByteSize(std::filesystem::file_size(options.Out)));
+      GroupDigits(static_cast<std::uint64_t>(surface->GetNumberOfCells())),
+      GroupDigits(static_cast<std::uint64_t>(surface->GetNumberOfPoints())),
+      DescribeByteSize(std::filesystem::file_size(options.Out)));
   }
 }
 

@@ -96,7 +96,7 @@ void CompareWithOriginals(const VerifyOptions& options, const Settings& settings
     {
       throw Failure(options.File,
         fmt::format("differs: step {} is at time {}, not {} as in {}", step,
-          Number(packed.GetTimes()[step]), Number(times[step]), nameOfOriginal));
+          DescribeNumber(packed.GetTimes()[step]), DescribeNumber(times[step]), nameOfOriginal));
     }
     Progress progress(steps > 1 ? fmt::format("comparing step {} of {}", step + 1, steps)
                                 : std::string("comparing"),
@@ -108,9 +108,9 @@ void CompareWithOriginals(const VerifyOptions& options, const Settings& settings
     if (!difference.empty())
     {
       throw Failure(options.File,
-        steps > 1
-          ? fmt::format("differs at step {} (time {}): {}", step, Number(times[step]), difference)
-          : "differs: " + difference);
+        steps > 1 ? fmt::format("differs at step {} (time {}): {}", step,
+                      DescribeNumber(times[step]), difference)
+                  : "differs: " + difference);
     }
   }
   if (!settings.Quiet)
@@ -123,7 +123,8 @@ void CompareWithOriginals(const VerifyOptions& options, const Settings& settings
     fmt::print("{}: identical to {}{}{}{}{}\n", options.File, original.GetName(),
       options.Originals.size() > 1 ? fmt::format(" and {} more", options.Originals.size() - 1) : "",
       steps > 1 ? fmt::format(", {} time steps", steps) : "",
-      alike > 0 ? fmt::format(", up to {} indistinguishable points", Grouped(alike)) : "", errors);
+      alike > 0 ? fmt::format(", up to {} indistinguishable points", GroupDigits(alike)) : "",
+      errors);
   }
 }
 
@@ -131,7 +132,7 @@ void CompareWithOriginals(const VerifyOptions& options, const Settings& settings
 std::string ListChecked(const gatun::FileReader& file)
 {
   const auto count = [](std::size_t number, const std::string& what)
-  { return fmt::format("{} {}{}", Grouped(number), what, number == 1 ? "" : "s"); };
+  { return fmt::format("{} {}{}", GroupDigits(number), what, number == 1 ? "" : "s"); };
   std::size_t chunks = file.GetChunks().size();
   for (std::size_t mesh = 1; mesh < file.GetNumberOfMeshes(); ++mesh)
   {
@@ -140,7 +141,7 @@ std::string ListChecked(const gatun::FileReader& file)
   std::vector<std::string> parts{ count(chunks, "chunk"), count(file.GetArrays().size(), "array") };
   if (file.GetNumberOfMeshes() > 1)
   {
-    parts.push_back(fmt::format("{} meshes", Grouped(file.GetNumberOfMeshes())));
+    parts.push_back(fmt::format("{} meshes", GroupDigits(file.GetNumberOfMeshes())));
   }
   if (file.HasTime())
   {
@@ -148,9 +149,9 @@ std::string ListChecked(const gatun::FileReader& file)
   }
   if (file.GetKeptOrder() != gatun::KeepNone)
   {
-    parts.push_back("the order of " + NameOfOrder(file.GetKeptOrder()));
+    parts.push_back("the order of " + NameOfKeptOrder(file.GetKeptOrder()));
   }
-  return Joined(parts);
+  return Join(parts);
 }
 
 void Verify(const VerifyOptions& options, const Settings& settings)

@@ -60,7 +60,7 @@ void AddVolumeInfo(CLI::App& app, Settings& settings)
       }
       const Description description =
         gatun::DescribeVolume(file, options->Verify, settings.Verbose);
-      fmt::print("{}", options->Json ? JsonText(description.GetJson()) : description.GetText());
+      fmt::print("{}", options->Json ? WriteJson(description.GetJson()) : description.GetText());
     });
 }
 }

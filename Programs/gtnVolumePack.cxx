@@ -74,11 +74,11 @@ void Print(const VolumePackOptions& options, vtkImageData* volume, vtkGatunHartl
     json["largestError"] = writer->GetMaximumError();
     json["psnr"] = psnr;
     json["seconds"] = seconds;
-    fmt::print("{}", JsonText(json));
+    fmt::print("{}", WriteJson(json));
     return;
   }
   fmt::print("{}: {} x {} x {} voxels, '{}', {}\n", options.Out, size[0], size[1], size[2],
-    Printable(name), ByteSize(writer->GetFileBytes()));
+    MakePrintableLine(name), DescribeByteSize(writer->GetFileBytes()));
   fmt::print("  {:.3f} bits a voxel, 1 : {:.4g}\n", bits, raw / bits);
   fmt::print("  root mean square error {:.4g}, largest error {:.4g}{}\n", error,
     writer->GetMaximumError(), std::isfinite(psnr) ? fmt::format(", {:.1f} dB", psnr) : "");

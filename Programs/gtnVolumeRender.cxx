@@ -143,12 +143,12 @@ void Render(const VolumeRenderOptions& options, const Settings& settings)
   const char* const method = Methods.at(static_cast<std::size_t>(projection->GetMethodUsed()));
   Json::Value json;
   json["input"] = source.GetFile();
-  json["size"] = JsonArray(source.GetSize());
+  json["size"] = MakeJsonArray(source.GetSize());
   json["array"] = source.GetArray();
   json["opacityModel"] = OpacityModels.at(static_cast<std::size_t>(options.OpacityModel));
   json["method"] = method;
   PrintImage(options, settings, rendered,
-    fmt::format("'{}' of {} voxels, method {}", Printable(source.GetArray()),
+    fmt::format("'{}' of {} voxels, method {}", MakePrintableLine(source.GetArray()),
       SizeOf(source.GetSize()), method),
     json);
 }

@@ -72,7 +72,7 @@ void Unpack(const VolumeUnpackOptions& options, const Settings& settings)
     }
     fmt::print("{}{}: {} x {} x {} voxels, {}\n", files.front(),
       asSlices ? " to " + FileOf(files.back()) : std::string(), size[0], size[1], size[2],
-      ByteSize(bytes));
+      DescribeByteSize(bytes));
   }
 }
 

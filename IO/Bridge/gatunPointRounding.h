@@ -51,9 +51,9 @@ void CheckRounding(const PointRounding& rounding);
  * voxels, wedges and pyramids keep their orientation, in exact arithmetic; flat ones stay flat.
  * Where they would not, their corners are on lattices with 1/2, 1/4, ... of the step, or stay.
  * Throws Error(InvalidInput) if this holds for more than 1 % of the points, or for any point if the
- * grid is not whole. The message names an error that would do. Exported for the benchmarks.
+ * grid is not whole. The message names an error that would do.
  */
-VTKGATUNIO_EXPORT vtkSmartPointer<vtkUnstructuredGrid> RoundPoints(
+vtkSmartPointer<vtkUnstructuredGrid> RoundPoints(
   vtkUnstructuredGrid* grid, const PointRounding& rounding, double& largest);
 }
 

@@ -89,7 +89,7 @@ std::string IdsText(const GridView& grid, std::size_t cell)
     {
       texts.push_back(std::to_string(id));
     }
-    return Joined(texts) + (ids.size() > enough ? ", ..." : "");
+    return Join(texts) + (ids.size() > enough ? ", ..." : "");
   };
   const auto faces = grid.GetFaces(cell);
   return "points " + list(grid.GetIds(cell)) + (faces.empty() ? "" : " with faces " + list(faces));
@@ -184,7 +184,7 @@ std::string CornersText(const GridView& grid, std::size_t cell)
   {
     texts.push_back(grid.PointArrays[0].Text(static_cast<std::size_t>(id)));
   }
-  return Joined(texts);
+  return Join(texts);
 }
 
 } // anonymous namespace
@@ -264,8 +264,8 @@ std::string Comparison::CompareInOrder(const GridView& first, const GridView& se
   {
     if (first.GetType(i) != second.GetType(i))
     {
-      return fmt::format("cell {} is a {} in {}, a {} in {}", i, NameOfCell(first.GetType(i)),
-        this->First.Name, NameOfCell(second.GetType(i)), this->Second.Name);
+      return fmt::format("cell {} is a {} in {}, a {} in {}", i, NameOfCellType(first.GetType(i)),
+        this->First.Name, NameOfCellType(second.GetType(i)), this->Second.Name);
     }
     if (!std::ranges::equal(first.GetIds(i), second.GetIds(i)) ||
       !std::ranges::equal(first.GetFaces(i), second.GetFaces(i)))
@@ -334,7 +334,10 @@ std::string Comparison::CompareFieldData(
   vtkUnstructuredGrid* first, vtkUnstructuredGrid* second) const
 {
   const auto title = [](vtkAbstractArray* array)
-  { return fmt::format("field array '{}'", Printable(array->GetName() ? array->GetName() : "")); };
+  {
+    return fmt::format(
+      "field array '{}'", MakePrintableLine(array->GetName() ? array->GetName() : ""));
+  };
   const std::string& nameOfA = this->First.Name;
   const std::string& nameOfB = this->Second.Name;
   const int count = first->GetFieldData()->GetNumberOfArrays();
@@ -365,7 +368,7 @@ std::string Comparison::CompareFieldData(
       if (ofA != ofB)
       {
         return fmt::format("{}: string {} is \"{}\" in {}, \"{}\" in {}", title(a), j,
-          Printable(ofA), nameOfA, Printable(ofB), nameOfB);
+          MakePrintableLine(ofA), nameOfA, MakePrintableLine(ofB), nameOfB);
       }
     }
     std::string difference = strings

@@ -65,7 +65,7 @@ void AddViews(std::vector<ArrayView>& views, vtkDataSetAttributes* attributes,
 
 //------------------------------------------------------------------------------
 ArrayView::ArrayView(vtkAbstractArray* array, const std::string& kind)
-  : Title(fmt::format("{} '{}'", kind, Printable(array->GetName() ? array->GetName() : "")))
+  : Title(fmt::format("{} '{}'", kind, MakePrintableLine(array->GetName() ? array->GetName() : "")))
   , Owner(vtkDataArray::SafeDownCast(array))
 {
   if (!this->Owner)
@@ -80,7 +80,7 @@ ArrayView::ArrayView(vtkAbstractArray* array, const std::string& kind)
   }
   this->Kind = fmt::format(
     "{}, {} component(s)", array->GetDataTypeAsString(), array->GetNumberOfComponents());
-  this->Kind += names.empty() ? "" : fmt::format(" ({})", Printable(Joined(names)));
+  this->Kind += names.empty() ? "" : fmt::format(" ({})", MakePrintableLine(Join(names)));
   if (array->GetDataType() == VTK_BIT)
   {
     auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
@@ -108,7 +108,7 @@ std::string ArrayView::Text(std::size_t i) const
         : this->Owner->GetDataTypeMin() < 0 ? std::to_string(variant.ToTypeInt64())
                                             : std::to_string(variant.ToTypeUInt64()));
   }
-  return components == 1 ? texts[0] : fmt::format("({})", Joined(texts));
+  return components == 1 ? texts[0] : fmt::format("({})", Join(texts));
 }
 
 //------------------------------------------------------------------------------

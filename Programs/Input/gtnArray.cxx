@@ -28,7 +28,7 @@ namespace
   const std::string& name, const std::string& file, const std::vector<ArrayChoice>& choices)
 {
   throw Failure(file,
-    fmt::format("has no array '{}'; there are {}", Printable(name),
+    fmt::format("has no array '{}'; there are {}", MakePrintableLine(name),
       choices.empty() ? "none" : NamesOf(choices)));
 }
 
@@ -143,7 +143,7 @@ int ChooseComponent(const ArrayOptions& options, const std::string& file, const 
   {
     throw Failure(file,
       fmt::format("array '{}' has no component {}; they are numbered 0 to {}",
-        Printable(array.Name), component, array.Components - 1));
+        MakePrintableLine(array.Name), component, array.Components - 1));
   }
   return array.Components == 1 ? 0 : component; // its length would be without the sign
 }
@@ -187,8 +187,8 @@ std::string NamesOf(const std::vector<ArrayChoice>& choices)
   names.reserve(choices.size());
   for (const ArrayChoice& choice : choices)
   {
-    names.push_back(choice.Name.empty() ? "(no name)" : Printable(choice.Name));
+    names.push_back(choice.Name.empty() ? "(no name)" : MakePrintableLine(choice.Name));
   }
-  return Joined(names);
+  return Join(names);
 }
 }

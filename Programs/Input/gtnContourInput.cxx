@@ -155,8 +155,8 @@ void ContourInput::Choose(
     std::none_of(ofPoints.begin(), ofPoints.end(), hasName))
   {
     throw Failure(this->File,
-      fmt::format(
-        "array '{}' is one of the cells; isosurfaces need one of the points", Printable(name)));
+      fmt::format("array '{}' is one of the cells; isosurfaces need one of the points",
+        MakePrintableLine(name)));
   }
   this->Array = ChooseArray(options.Array, this->File, ofPoints, "of the points");
   this->Component = ChooseComponent(options.Array, this->File, this->Array);

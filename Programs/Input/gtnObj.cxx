@@ -150,7 +150,7 @@ private:
       if (!Parse(word, coordinate))
       {
         this->Fail(word.empty() ? "a point has less than 3 coordinates"
-                                : fmt::format("'{}' is not a coordinate", Printable(word)));
+                                : fmt::format("'{}' is not a coordinate", MakePrintableLine(word)));
       }
     }
     this->Points->InsertNextPoint(point);
@@ -171,7 +171,7 @@ private:
       vtkIdType index = 0;
       if (!Parse(word.substr(0, word.find('/')), index))
       {
-        this->Fail(fmt::format("'{}' is not a corner of a face", Printable(word)));
+        this->Fail(fmt::format("'{}' is not a corner of a face", MakePrintableLine(word)));
       }
       if (index == 0 || index < -points)
       {
@@ -277,7 +277,7 @@ int ObjReader::RequestData(vtkInformation* vtkNotUsed(request),
     vtkPolyData::GetData(outputVector)->ShallowCopy(ReadObj(this->File, progress, leftOut));
     if (!leftOut.empty())
     {
-      vtkWarningMacro(<< "what is not read of the file: " << Joined(leftOut));
+      vtkWarningMacro(<< "what is not read of the file: " << Join(leftOut));
     }
   }
   catch (const std::exception& error)

@@ -114,7 +114,7 @@ std::vector<std::string> NamesOf(vtkUnstructuredGrid* grid)
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
       const char* name = data->GetAbstractArray(i)->GetName();
-      names.emplace_back(Printable(name ? name : "(no name)"));
+      names.emplace_back(MakePrintableLine(name ? name : "(no name)"));
     }
   }
   return names;
@@ -128,8 +128,8 @@ void CheckNames(vtkUnstructuredGrid* grid, const std::vector<std::string>& names
       !grid->GetCellData()->HasArray(name.c_str()))
     {
       const std::vector<std::string> known = NamesOf(grid);
-      throw Failure(fmt::format("has no array '{}'; there {}", Printable(name),
-        known.empty() ? "are none" : "are " + Joined(known)));
+      throw Failure(fmt::format("has no array '{}'; there {}", MakePrintableLine(name),
+        known.empty() ? "are none" : "are " + Join(known)));
     }
   }
 }

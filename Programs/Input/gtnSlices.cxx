@@ -73,8 +73,8 @@ public:
     if (slice.Type != this->Shape.Type)
     {
       throw Failure(file,
-        fmt::format("has values of type {}, unlike {} with {}", NameOf(slice.Type), this->First,
-          NameOf(this->Shape.Type)));
+        fmt::format("has values of type {}, unlike {} with {}", NameOfType(slice.Type), this->First,
+          NameOfType(this->Shape.Type)));
     }
     const std::size_t row = gatun::SizeOf(slice.Type) * static_cast<std::size_t>(this->Shape.Width);
     const auto* const from = static_cast<const unsigned char*>(slice.Values);
@@ -234,7 +234,7 @@ void WriteSlices(vtkImageData* volume, const std::vector<std::string>& files, Pr
     throw Failure(files.front(),
       fmt::format("values of type {} do not fit into .png files, which take uint8 and uint16; use "
                   ".tif files",
-        NameOf(slice.Type)));
+        NameOfType(slice.Type)));
   }
   const std::size_t row = gatun::SizeOf(slice.Type) * static_cast<std::size_t>(slice.Width);
   std::vector<unsigned char> turned(row * static_cast<std::size_t>(slice.Height));

@@ -52,7 +52,8 @@ std::size_t ChooseStep(
     {
       throw Failure(file,
         fmt::format("has no step at time {}; there are {} from {} to {}, see gtn info -v",
-          Number(*options.Time), times.size(), Number(times.front()), Number(times.back())));
+          DescribeNumber(*options.Time), times.size(), DescribeNumber(times.front()),
+          DescribeNumber(times.back())));
     }
     return static_cast<std::size_t>(found - times.begin());
   }

@@ -87,7 +87,7 @@ void ChooseArray(vtkImageData* volume, const VolumeInputOptions& options)
   std::vector<std::string> names;
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
-    names.push_back(Printable(data->GetArrayName(i) ? data->GetArrayName(i) : ""));
+    names.push_back(MakePrintableLine(data->GetArrayName(i) ? data->GetArrayName(i) : ""));
   }
   vtkSmartPointer<vtkDataArray> array =
     options.Array.empty() ? data->GetScalars() : data->GetArray(options.Array.c_str());
@@ -95,14 +95,14 @@ void ChooseArray(vtkImageData* volume, const VolumeInputOptions& options)
   {
     array = data->GetArray(i);
   }
-  const std::string there = names.empty() ? "none" : Joined(names);
+  const std::string there = names.empty() ? "none" : Join(names);
   if (!array)
   {
     throw Failure(file,
       options.Array.empty()
         ? fmt::format("has no array of numbers on the points; there are {}", there)
-        : fmt::format(
-            "has no array '{}' on the points; there are {}", Printable(options.Array), there));
+        : fmt::format("has no array '{}' on the points; there are {}",
+            MakePrintableLine(options.Array), there));
   }
   data->Initialize();
   data->SetScalars(array);

@@ -64,8 +64,9 @@ std::optional<double> ReadPositive(
   if (!value.isNumeric() || !(value.asDouble() > 0 && value.asDouble() < limit))
   {
     throw Failure(file,
-      limit < 1e300 ? fmt::format("{} is not a number above 0 and below {}", name, Number(limit))
-                    : name + " is not a number above 0");
+      limit < 1e300
+        ? fmt::format("{} is not a number above 0 and below {}", name, DescribeNumber(limit))
+        : name + " is not a number above 0");
   }
   return value.asDouble();
 }
@@ -84,8 +85,8 @@ CameraFile ReadCameraFile(const std::string& file)
     if (std::find(known.begin(), known.end(), name) == known.end())
     {
       throw Failure(file,
-        fmt::format("'{}' is nothing that a camera has; there are {}", Printable(name),
-          Joined({ known.begin(), known.end() })));
+        fmt::format("'{}' is nothing that a camera has; there are {}", MakePrintableLine(name),
+          Join({ known.begin(), known.end() })));
     }
   }
   CameraFile camera;
@@ -271,7 +272,7 @@ vtkSmartPointer<vtkCamera> MakeCamera(const CameraOptions& options, const Camera
 //------------------------------------------------------------------------------
 Json::Value DescribeCamera(vtkCamera* camera)
 {
-  const auto vector = [](const double* numbers) { return JsonArray(std::span(numbers, 3)); };
+  const auto vector = [](const double* numbers) { return MakeJsonArray(std::span(numbers, 3)); };
   Json::Value json;
   json["position"] = vector(camera->GetPosition());
   json["focalPoint"] = vector(camera->GetFocalPoint());

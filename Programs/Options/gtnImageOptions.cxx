@@ -102,8 +102,8 @@ void RequireRange(const ImageContent& content)
   if (range.IsEmpty() || !std::isfinite(range.Min) || !std::isfinite(range.Max))
   {
     throw Failure(content.File,
-      fmt::format(
-        "array '{}' has no finite range of values; give --range", Printable(content.Array)));
+      fmt::format("array '{}' has no finite range of values; give --range",
+        MakePrintableLine(content.Array)));
   }
 }
 
@@ -276,7 +276,8 @@ std::vector<std::pair<std::string, std::string>> MakeRemarks(
   const ImageContent& content, const std::string& commandLine, vtkCamera* camera)
 {
   return { { "Software", std::string("Gatun ") + gatun::PackageVersion() },
-    { "Gatun:command", Printable(commandLine) }, { "Gatun:input", Printable(content.File) },
-    { "Gatun:camera", JsonLine(DescribeCamera(camera)) } };
+    { "Gatun:command", MakePrintableLine(commandLine) },
+    { "Gatun:input", MakePrintableLine(content.File) },
+    { "Gatun:camera", WriteJsonLine(DescribeCamera(camera)) } };
 }
 }

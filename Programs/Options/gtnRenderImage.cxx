@@ -67,7 +67,7 @@ void PrintImage(const ImageOptions& options, const Settings& settings,
     json["camera"] = DescribeCamera(rendered.Camera);
     json["statistics"] = JsonOf(rendered.Taken);
     json["peakMemory"] = rendered.PeakMemory;
-    fmt::print("{}", JsonText(json));
+    fmt::print("{}", WriteJson(json));
     return;
   }
   if (settings.Quiet && !options.Statistics)

@@ -67,7 +67,7 @@ const ImageCodec& GetCodec()
   {
     reason.replace(place, given.size(), file);
   }
-  throw Failure(file, reason.empty() ? otherwise : Printable(reason));
+  throw Failure(file, reason.empty() ? otherwise : MakePrintableLine(reason));
 }
 
 } // anonymous namespace

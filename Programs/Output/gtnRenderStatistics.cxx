@@ -40,8 +40,8 @@ std::string Text(const Statistic& statistic)
   }
   const auto whole = static_cast<std::uint64_t>(statistic.Value);
   return statistic.Kind == Statistic::Seconds ? fmt::format("{:.3f} s", statistic.Value)
-    : statistic.Kind == Statistic::Count      ? Grouped(whole)
-                                              : ByteSize(whole);
+    : statistic.Kind == Statistic::Count      ? GroupDigits(whole)
+                                              : DescribeByteSize(whole);
 }
 
 } // anonymous namespace

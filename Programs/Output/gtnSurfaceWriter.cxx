@@ -226,7 +226,7 @@ void AddCount(std::vector<std::string>& list, vtkIdType count, const char* what)
 {
   if (count > 0)
   {
-    list.push_back(fmt::format("{} {}", Grouped(static_cast<std::uint64_t>(count)), what));
+    list.push_back(fmt::format("{} {}", GroupDigits(static_cast<std::uint64_t>(count)), what));
   }
 }
 }
@@ -274,7 +274,7 @@ std::string ListLost(vtkPolyData* surface, const std::string& file)
   {
     lost.emplace_back("double precision");
   }
-  return Joined(lost);
+  return Join(lost);
 }
 
 //------------------------------------------------------------------------------

@@ -46,8 +46,8 @@ void WriteMesh(vtkUnstructuredGrid* grid, const std::string& file, const Setting
   }
   if (!settings.Quiet)
   {
-    fmt::print("{}: {} tetrahedra, {} points, {}\n", file, Grouped(grid->GetNumberOfCells()),
-      Grouped(grid->GetNumberOfPoints()), ByteSize(std::filesystem::file_size(file)));
+    fmt::print("{}: {} tetrahedra, {} points, {}\n", file, GroupDigits(grid->GetNumberOfCells()),
+      GroupDigits(grid->GetNumberOfPoints()), DescribeByteSize(std::filesystem::file_size(file)));
   }
 }
 }

@@ -52,8 +52,8 @@ RangedSeries::RangedSeries(
 void RangedSeries::Fail(std::size_t step, const std::string& problem) const
 {
   throw Failure(this->Files[step],
-    problem + " in time step " + std::to_string(step) + " (time " + Number(this->Times[step]) +
-      ")");
+    problem + " in time step " + std::to_string(step) + " (time " +
+      DescribeNumber(this->Times[step]) + ")");
 }
 
 //------------------------------------------------------------------------------

@@ -53,7 +53,7 @@ XMLArray::XMLArray(XMLData& data, std::uint64_t offset, int type, const std::str
 //------------------------------------------------------------------------------
 void XMLArray::Fail(const std::string& problem) const
 {
-  throw Failure(this->Data.File, "the array '" + Printable(this->Name) + "' " + problem);
+  throw Failure(this->Data.File, "the array '" + MakePrintableLine(this->Name) + "' " + problem);
 }
 
 //------------------------------------------------------------------------------

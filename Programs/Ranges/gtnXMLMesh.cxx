@@ -228,12 +228,13 @@ std::unique_ptr<XMLArray> XMLMesh::OpenArray(vtkXMLDataElement* parent, const ch
   vtkXMLDataElement* element = FindArray(parent, name);
   if (!element)
   {
-    throw Failure(this->File, "a piece has no array '" + Printable(known) + "'");
+    throw Failure(this->File, "a piece has no array '" + MakePrintableLine(known) + "'");
   }
   const char* format = element->GetAttribute("format");
   if (!format || std::strcmp(format, "appended") != 0)
   {
-    this->Refuse("has an array '" + Printable(known) + "' that is not in its appended data");
+    this->Refuse(
+      "has an array '" + MakePrintableLine(known) + "' that is not in its appended data");
   }
   unsigned long long offset = 0;
   int found = 0;
@@ -242,14 +243,14 @@ std::unique_ptr<XMLArray> XMLMesh::OpenArray(vtkXMLDataElement* parent, const ch
     vtkDataArray::GetDataTypeSize(found) == 0)
   {
     this->Refuse(
-      "has an array '" + Printable(known) + "' without an offset or of a type of its own");
+      "has an array '" + MakePrintableLine(known) + "' without an offset or of a type of its own");
   }
   if (type != 0 &&
     (vtkDataArray::GetDataTypeSize(found) != vtkDataArray::GetDataTypeSize(type) ||
       (found == VTK_FLOAT || found == VTK_DOUBLE) != (type == VTK_FLOAT || type == VTK_DOUBLE)))
   {
-    throw Failure(
-      this->File, "the array '" + Printable(known) + "' has different types in different pieces");
+    throw Failure(this->File,
+      "the array '" + MakePrintableLine(known) + "' has different types in different pieces");
   }
   return std::make_unique<XMLArray>(this->Data, offset, found, known);
 }

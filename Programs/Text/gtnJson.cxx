@@ -24,7 +24,7 @@ std::string FirstOf(const std::string& errors)
   const std::size_t lineEnd = errors.find('\n');
   if (!errors.starts_with(start) || lineEnd == errors.npos)
   {
-    return Printable(errors);
+    return MakePrintableLine(errors);
   }
   std::string place = "line " + errors.substr(start.size(), lineEnd - start.size());
   if (const std::size_t column = place.find("Column"); column != place.npos)
@@ -33,24 +33,12 @@ std::string FirstOf(const std::string& errors)
   }
   const std::size_t from = errors.find_first_not_of(" \n", lineEnd);
   const std::size_t to = std::min(errors.find('\n', from), errors.size());
-  return from == errors.npos
-    ? Printable(place)
-    : Printable(place + ": " + errors.substr(from, to - from - (errors[to - 1] == '.' ? 1 : 0)));
+  return from == errors.npos ? MakePrintableLine(place)
+                             : MakePrintableLine(place + ": " +
+                                 errors.substr(from, to - from - (errors[to - 1] == '.' ? 1 : 0)));
 }
 
 } // anonymous namespace
-
-//------------------------------------------------------------------------------
-std::string JsonText(const Json::Value& value)
-{
-  return gatun::WriteJson(value);
-}
-
-//------------------------------------------------------------------------------
-std::string JsonLine(const Json::Value& value)
-{
-  return gatun::WriteJsonLine(value);
-}
 
 //------------------------------------------------------------------------------
 bool ParseJson(const std::string& file, Json::Value& root, std::string& reason)
@@ -68,7 +56,7 @@ bool ParseJson(const std::string& file, Json::Value& root, std::string& reason)
   catch (const Json::Exception& error)
   {
     // Such as too many brackets.
-    reason = Printable(error.what());
+    reason = MakePrintableLine(error.what());
   }
   return false;
 }

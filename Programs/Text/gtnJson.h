@@ -15,20 +15,9 @@
 
 namespace gtn
 {
-/** The indented text of a value, or the text on one line without a line break at its end.
- *
- * The text is ASCII: jsoncpp escapes all other characters, so that it is JSON whatever the bytes of
- * a string are. Numbers have 17 digits and read back as the same number. Numbers that are not
- * finite become null. */
-std::string JsonText(const Json::Value& value);
-std::string JsonLine(const Json::Value& value);
-
-/** An array of the elements of a range, which may be empty. */
-template <typename Elements>
-Json::Value JsonArray(const Elements& elements)
-{
-  return gatun::MakeJsonArray(elements);
-}
+using gatun::MakeJsonArray;
+using gatun::WriteJson;
+using gatun::WriteJsonLine;
 
 /** Reads a file. Returns false, and sets the reason, if it is not JSON. */
 bool ParseJson(const std::string& file, Json::Value& root, std::string& reason);

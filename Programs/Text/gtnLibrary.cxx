@@ -32,7 +32,7 @@ const void* LoadLibrary(const char* library, const char* name, const std::string
   {
     const char* const error = ::dlerror();
     throw Failure("cannot " + purpose + ": " +
-      (error ? Printable(error)
+      (error ? MakePrintableLine(error)
              : std::string("the library ") + library + " is of another version"));
   }
   return found;

@@ -47,7 +47,7 @@ std::string Text(const char* message)
   {
     text.remove_suffix(1);
   }
-  return Printable(text);
+  return MakePrintableLine(text);
 }
 
 class MessageKeeper : public vtkOutputWindow

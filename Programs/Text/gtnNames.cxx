@@ -5,8 +5,6 @@
 
 #include "gtnText.h"
 
-#include "gatunDescriptionText.h"
-
 #include <fmt/core.h>
 
 #include <vector>
@@ -14,35 +12,17 @@
 namespace gtn
 {
 //------------------------------------------------------------------------------
-const char* NameOf(gatun::ScalarType type)
-{
-  return gatun::NameOfType(type);
-}
-
-//------------------------------------------------------------------------------
-std::string NameOfCell(int type)
-{
-  return gatun::NameOfCellType(type);
-}
-
-//------------------------------------------------------------------------------
 std::string ListCells(const gatun::FileReader& file)
 {
   if (file.IsTetrahedral())
   {
-    return Grouped(file.GetNumberOfTets()) + " tetrahedra";
+    return GroupDigits(file.GetNumberOfTets()) + " tetrahedra";
   }
   std::vector<std::string> types;
   for (const gatun::CellTypeCount& type : file.GetCellTypes())
   {
-    types.push_back(Grouped(type.Cells) + " " + NameOfCell(type.Type));
+    types.push_back(GroupDigits(type.Cells) + " " + NameOfCellType(type.Type));
   }
-  return fmt::format("{} cells ({})", Grouped(file.GetNumberOfCells()), Joined(types));
-}
-
-//------------------------------------------------------------------------------
-std::string NameOfOrder(std::uint8_t kept)
-{
-  return gatun::NameOfKeptOrder(kept);
+  return fmt::format("{} cells ({})", GroupDigits(file.GetNumberOfCells()), Join(types));
 }
 }

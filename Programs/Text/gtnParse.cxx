@@ -15,7 +15,8 @@ namespace gtn
 //------------------------------------------------------------------------------
 void Refuse(const char* option, const std::string& value, const std::string& wanted)
 {
-  throw CLI::ValidationError(option, fmt::format("'{}' is not {}", Printable(value), wanted));
+  throw CLI::ValidationError(
+    option, fmt::format("'{}' is not {}", MakePrintableLine(value), wanted));
 }
 
 //------------------------------------------------------------------------------
@@ -27,7 +28,7 @@ CLI::Validator Between(double low, double high)
       const double number = Parse<double>(text).value_or(std::nan(""));
       return number >= low && number <= high
         ? std::string()
-        : fmt::format("'{}' is not a number from {} to {}", Printable(text), low, high);
+        : fmt::format("'{}' is not a number from {} to {}", MakePrintableLine(text), low, high);
     },
     "");
 }
@@ -41,7 +42,7 @@ CLI::Validator Positive()
       const double number = Parse<double>(text).value_or(0);
       return number > 0 && std::isfinite(number)
         ? std::string()
-        : fmt::format("'{}' is not a number above 0", Printable(text));
+        : fmt::format("'{}' is not a number above 0", MakePrintableLine(text));
     },
     "");
 }

@@ -5,7 +5,6 @@
 
 #include "gtnFailure.h"
 
-#include "gatunDescriptionText.h"
 #include "gatunPrintable.h"
 
 #include <filesystem>
@@ -35,36 +34,6 @@ Failure::Failure(const std::string& file, const std::string& reason)
 const char* ReasonOf(const std::exception& error) noexcept
 {
   return dynamic_cast<const std::bad_alloc*>(&error) ? "not enough memory" : error.what();
-}
-
-//------------------------------------------------------------------------------
-std::string Printable(std::string_view text)
-{
-  return gatun::MakePrintableLine(text);
-}
-
-//------------------------------------------------------------------------------
-std::string Grouped(std::uint64_t number)
-{
-  return gatun::GroupDigits(number);
-}
-
-//------------------------------------------------------------------------------
-std::string ByteSize(std::uint64_t bytes)
-{
-  return gatun::DescribeByteSize(bytes);
-}
-
-//------------------------------------------------------------------------------
-std::string Number(double value)
-{
-  return gatun::DescribeNumber(value);
-}
-
-//------------------------------------------------------------------------------
-std::string Joined(const std::vector<std::string>& parts, std::string_view separator)
-{
-  return gatun::Join(parts, separator);
 }
 
 //------------------------------------------------------------------------------

@@ -120,7 +120,8 @@ public:
 
   ///@{
   /**
-   * Regions kept at full detail; see the properties of vtkGatunVolumeMapper with these names.
+   * How levels of detail follow the view; see the properties of vtkGatunVolumeMapper with these
+   * names.
    */
   void SetViewDependent(bool on);
   bool GetViewDependent();
