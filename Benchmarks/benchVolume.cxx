@@ -174,10 +174,11 @@ unsigned Volume::GetPixels(double scale) const
 }
 
 //------------------------------------------------------------------------------
-gatun::HartleyShading MakeGray(const Volume& volume, gatun::HartleyOpacityModel law, double opacity)
+gatun::HartleyShading MakeGray(
+  const Volume& volume, gatun::HartleyOpacityModel model, double opacity)
 {
   gatun::HartleyShading shading;
-  shading.OpacityModel = law;
+  shading.OpacityModel = model;
   shading.Zero = volume.GetLowest();
   shading.Extinction = -std::log(1 - opacity) / volume.GetRange();
   shading.First = volume.GetLowest();

@@ -67,9 +67,9 @@ private:
 };
 
 /** Gray from the lowest density to the highest. The most opaque sample has this opacity, and under
- * the exponential law it goes by that, else linearly. */
+ * the exponential model it goes by that, else linearly. */
 gatun::HartleyShading MakeGray(
-  const Volume& volume, gatun::HartleyOpacityModel law, double opacity);
+  const Volume& volume, gatun::HartleyOpacityModel model, double opacity);
 
 /** Lossless for 0, else so many bits a voxel. */
 gatun::HartleyRateControl MakeQuality(double rate);

@@ -19,7 +19,7 @@ namespace bench
 class FixedPointWindow
 {
 public:
-  /** The exponential and the linear law come as opacities of a sample; XRay as additive blending.
+  /** The exponential and the linear model come as opacities of a sample; XRay as additive blending.
    */
   FixedPointWindow(const Volume& volume, unsigned pixels, const gatun::HartleyShading& shading);
   ~FixedPointWindow();

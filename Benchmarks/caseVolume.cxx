@@ -169,9 +169,9 @@ void MeasureViews(const VolumeOptions& options)
       json["threads"] = gatun::GetNumberOfThreads();
       json["pixels"] = static_cast<std::uint64_t>(options.Pixels);
       json["ways"] = Json::arrayValue;
-      for (const auto law : { HartleyOpacityModel::XRay, HartleyOpacityModel::Exponential })
+      for (const auto model : { HartleyOpacityModel::XRay, HartleyOpacityModel::Exponential })
       {
-        const gatun::HartleyShading shading = MakeGray(volume, law, 0.1);
+        const gatun::HartleyShading shading = MakeGray(volume, model, 0.1);
         FixedPointWindow window(volume, options.Pixels, shading);
         std::vector<std::unique_ptr<gatun::HartleyProjector>> projectors;
         std::vector<Operation> operations;
@@ -199,7 +199,7 @@ void MeasureViews(const VolumeOptions& options)
         {
           Json::Value way;
           way["way"] = operation.Name;
-          way["law"] = law == HartleyOpacityModel::XRay ? "xray" : "exponential";
+          way["model"] = model == HartleyOpacityModel::XRay ? "xray" : "exponential";
           way["first"] = operation.First;
           AddList(way, "seconds", operation.Seconds);
           json["ways"].append(way);

@@ -256,9 +256,9 @@ def _volumes(results):
             rows.append([*cells, number(entry["lossless"]["bits"]), number(entry["vtiBits"]),
                          number(reversible["bits"]) if reversible else "-"])
         ways = entry.get("views", {"ways": []})["ways"]
-        for law in dict.fromkeys(way["law"] for way in ways):
-            peer, *own = (way for way in ways if way["law"] == law)
-            views.append([f"{entry['name']}, {law}", number(statistics.median(peer["seconds"])),
+        for model in dict.fromkeys(way["model"] for way in ways):
+            peer, *own = (way for way in ways if way["model"] == model)
+            views.append([f"{entry['name']}, {model}", number(statistics.median(peer["seconds"])),
                           advantage([own[0]["first"]], [peer["first"]]),
                           *(advantage(way["seconds"], peer["seconds"]).split(" ")[0] for way in own)])
     text = "## Volumes\n\n" + paragraph("""Bits per voxel at the PSNR (dB) of two settings of zfp, and without loss, in blocks

@@ -487,10 +487,10 @@ void vtkGatunWriter::WriteStep(vtkDataObject* input)
   }
 
   const auto step = self.DescribeStep(input, grid->GetFieldData());
-  const auto living = self.Living ? self.Living->GetLiving() : gatun::LivingCells();
+  const auto remaining = self.Remaining ? self.Remaining->GetRemaining() : gatun::RemainingCells();
   self.File->WriteStep(values, step.Field, step.HasTime, step.Time,
     self.MakeProgress(self.Step + 1), mesh ? mesh->Mesh.Coordinates : nullptr,
-    self.Living ? &living : nullptr);
+    self.Remaining ? &remaining : nullptr);
   ++self.Step;
   if (self.Step >= self.GetNumberOfSteps())
   {

@@ -203,7 +203,7 @@ bool vtkGatunWriter::vtkInternals::UseMesh(vtkUnstructuredGrid* grid,
     gatun::ThrowInvalid("the point or cell arrays change in time step " +
       std::to_string(this->Step) + " (time " + std::to_string(this->Times[this->Step]) + ")");
   }
-  this->Living.reset();
+  this->Remaining.reset();
   const auto cellHash = this->GetNumberOfSteps() > 1 ? mesh->HashCells() : gatun::Fingerprint();
   for (const WrittenMesh& written : this->Meshes)
   {
@@ -217,9 +217,9 @@ bool vtkGatunWriter::vtkInternals::UseMesh(vtkUnstructuredGrid* grid,
       return true;
     }
   }
-  if (this->UseLiving(*mesh))
+  if (this->UseRemaining(*mesh))
   {
-    return this->PointsMove || !this->Living->HaveMoved;
+    return this->PointsMove || !this->Remaining->HaveMoved;
   }
   for (WrittenMesh& written : this->Meshes)
   {
@@ -250,7 +250,7 @@ bool vtkGatunWriter::vtkInternals::UseMesh(vtkUnstructuredGrid* grid,
 }
 
 //------------------------------------------------------------------------------
-bool vtkGatunWriter::vtkInternals::UseLiving(const gatun::BridgedMesh& mesh)
+bool vtkGatunWriter::vtkInternals::UseRemaining(const gatun::BridgedMesh& mesh)
 {
   if (this->Owner->Hierarchy || this->Owner->WriteBoundary)
   {
@@ -262,8 +262,8 @@ bool vtkGatunWriter::vtkInternals::UseLiving(const gatun::BridgedMesh& mesh)
     const bool isIntact = !written.IsOverwritten && mesh.Mesh.Cells < written.Mesh->Mesh.Cells &&
       written.Mesh->HashCells() == written.CellHash &&
       written.Mesh->HashPoints() == written.PointHash;
-    this->Living = isIntact ? gatun::FindCells(written.Mesh->Mesh, mesh.Mesh) : std::nullopt;
-    if (this->Living)
+    this->Remaining = isIntact ? gatun::FindCells(written.Mesh->Mesh, mesh.Mesh) : std::nullopt;
+    if (this->Remaining)
     {
       this->File->UseMesh(written.Number);
       return true;
@@ -278,7 +278,7 @@ void vtkGatunWriter::vtkInternals::Restart()
   this->File.reset();
   this->FirstTree = std::move(this->Meshes.front().Tree);
   this->Meshes.clear();
-  this->Living.reset();
+  this->Remaining.reset();
   this->Points = 0;
   this->Cells = 0;
   this->Step = 0;

@@ -53,7 +53,7 @@ public:
     const std::vector<gatun::ArrayDescription>& descriptions);
 
   // The mesh as some of the cells of one that was written, with the file prepared for it.
-  bool UseLiving(const gatun::BridgedMesh& mesh);
+  bool UseRemaining(const gatun::BridgedMesh& mesh);
 
   // Begins the file once more, because the points of a step differ from those of the first one.
   void Restart();
@@ -93,8 +93,8 @@ public:
     std::unique_ptr<gatun::BridgedMesh> mesh, const gatun::Fingerprint& cellHash) const;
 
   // While a file is being written.
-  std::vector<WrittenMesh> Meshes;         // the first one and the one that was added last
-  std::optional<gatun::FoundCells> Living; // if the step has some cells of one of them only
+  std::vector<WrittenMesh> Meshes;            // the first one and the one that was added last
+  std::optional<gatun::FoundCells> Remaining; // if the step has some cells of one of them only
   std::unique_ptr<gatun::FileWriter> File;
   std::vector<gatun::ArrayDescription> Arrays;
   bool PointsMove = false;                     // as a step has told
@@ -126,7 +126,7 @@ public:
     this->Input = nullptr;
     this->File.reset();
     this->Meshes.clear();
-    this->Living.reset();
+    this->Remaining.reset();
     this->FirstTree.reset();
     this->Arrays.clear();
     this->Points = 0;

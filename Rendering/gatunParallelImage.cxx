@@ -96,11 +96,11 @@ Message FindNearest(const std::vector<Message>& messages)
 }
 
 //------------------------------------------------------------------------------
-ParallelImage::ParallelImage(ProcessExchange& exchange, int width, int height, int shower)
+ParallelImage::ParallelImage(ProcessExchange& exchange, int width, int height, int imageProcess)
   : Exchange(exchange)
   , Width(width)
   , Height(height)
-  , Shower(shower)
+  , ImageProcess(imageProcess)
 {
 }
 
@@ -128,11 +128,11 @@ int ParallelImage::GetOwner(const Tile& tile) const
 }
 
 //------------------------------------------------------------------------------
-int ParallelImage::GetShower(int x, int y) const
+int ParallelImage::GetImageProcess(int x, int y) const
 {
-  if (this->Shower >= 0)
+  if (this->ImageProcess >= 0)
   {
-    return this->Shower;
+    return this->ImageProcess;
   }
   const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(this->Width) +
     static_cast<std::size_t>(x);
@@ -307,8 +307,8 @@ void ParallelImage::PackExact(const Tile& tile, std::vector<Message>& messages) 
   {
     for (int x = tile.X; x < tile.X + tile.Width; ++x)
     {
-      const int shower = this->GetShower(x, y);
-      ByteWriter& writer = writers[shower];
+      const int imageProcess = this->GetImageProcess(x, y);
+      ByteWriter& writer = writers[imageProcess];
       const float* const color = this->Rays.data() +
         4 *
           (static_cast<std::size_t>(y) * static_cast<std::size_t>(this->Width) +
@@ -317,17 +317,17 @@ void ParallelImage::PackExact(const Tile& tile, std::vector<Message>& messages) 
       {
         const std::uint16_t texel = ToTexel(color[c]);
         writer.Put(texel);
-        isSeen[shower] |= texel != 0;
+        isSeen[imageProcess] |= texel != 0;
       }
     }
   }
-  for (const auto& [shower, writer] : writers)
+  for (const auto& [imageProcess, writer] : writers)
   {
-    if (isSeen[shower])
+    if (isSeen[imageProcess])
     {
       ByteWriter number;
       number.Put(static_cast<std::uint32_t>(tile.Index));
-      Message& message = messages[static_cast<std::size_t>(shower)];
+      Message& message = messages[static_cast<std::size_t>(imageProcess)];
       message.insert(message.end(), number.Data.begin(), number.Data.end());
       message.insert(message.end(), writer.Data.begin(), writer.Data.end());
     }
@@ -356,7 +356,7 @@ void ParallelImage::PackAll(const Tile& tile, int width, std::vector<Message>& m
   }
   for (std::size_t p = 0; isSeen && p < messages.size(); ++p)
   {
-    if (this->Shower < 0 || static_cast<std::size_t>(this->Shower) == p)
+    if (this->ImageProcess < 0 || static_cast<std::size_t>(this->ImageProcess) == p)
     {
       messages[p].insert(messages[p].end(), writer.Data.begin(), writer.Data.end());
     }
@@ -371,7 +371,7 @@ void ParallelImage::Unpack(
   {
     for (int x = tile.X; x < tile.X + tile.Width; ++x)
     {
-      if (exact && this->GetShower(x, y) != this->Exchange.GetProcess())
+      if (exact && this->GetImageProcess(x, y) != this->Exchange.GetProcess())
       {
         continue;
       }
@@ -417,7 +417,7 @@ void ParallelImage::Interpolate(int width, int height)
       const float* const upper = getRow(inY.Second);
       for (int x = 0; x < this->Width; ++x)
       {
-        if (this->GetShower(x, y) != this->Exchange.GetProcess())
+        if (this->GetImageProcess(x, y) != this->Exchange.GetProcess())
         {
           continue;
         }
@@ -453,7 +453,7 @@ void ParallelImage::BringForward(std::span<float> own) const
   {
     for (int x = 0; x < this->Width; ++x)
     {
-      if (this->GetShower(x, y) == this->Exchange.GetProcess())
+      if (this->GetImageProcess(x, y) == this->Exchange.GetProcess())
       {
         float& depth = own[static_cast<std::size_t>(y) * static_cast<std::size_t>(this->Width) +
           static_cast<std::size_t>(x)];

@@ -32,10 +32,10 @@ struct RayView;
 class ParallelImage
 {
 public:
-  /** Size: in pixels. Shower: the process that shows the image; -1: each its pixels. */
-  ParallelImage(ProcessExchange& exchange, int width, int height, int shower);
+  /** Size: in pixels. ImageProcess: the process that shows the image; -1: each its pixels. */
+  ParallelImage(ProcessExchange& exchange, int width, int height, int imageProcess);
 
-  int GetShower() const { return this->Shower; }
+  int GetImageProcess() const { return this->ImageProcess; }
 
   /** Finds the nearest opaque geometry of all processes. Own: that of this one, for each pixel, row
    * by row from below, as in a z-buffer; empty for none. Collective. */
@@ -73,7 +73,7 @@ private:
     std::span<const float> own, std::vector<ProcessExchange::Message>& messages) const;
   void UnpackDepths(const std::vector<ProcessExchange::Message>& messages);
   int GetOwner(const Tile& tile) const;
-  int GetShower(int x, int y) const;
+  int GetImageProcess(int x, int y) const;
   void PackExact(const Tile& tile, std::vector<ProcessExchange::Message>& messages) const;
   void PackAll(const Tile& tile, int width, std::vector<ProcessExchange::Message>& messages) const;
   void Unpack(
@@ -83,7 +83,7 @@ private:
   ProcessExchange& Exchange;
   int Width;
   int Height;
-  int Shower;
+  int ImageProcess;
   std::vector<float> Depths;
   std::vector<std::uint16_t> Nearest; // process with the nearest geometry, or None
   std::vector<float> Rays;            // colors of rays

@@ -52,7 +52,7 @@ std::uint32_t FindArray(const FileReader& file, const RayArray& wanted)
 }
 
 /** How much of a number of bytes is for what. */
-LevelOfDetailCache::Room Divide(std::uint64_t budget)
+LevelOfDetailCache::Limits Divide(std::uint64_t budget)
 {
   return { budget - budget / 4, budget / 4 };
 }
@@ -66,7 +66,7 @@ RayScene::~RayScene() = default;
 void RayScene::Drop()
 {
   this->Levels.reset();
-  this->Obstacle.clear();
+  this->Reason.clear();
   this->Source.reset();
   this->Pieces = nullptr;
 }
@@ -124,11 +124,11 @@ void RayScene::SetGrid(
   const GridMesh original(grid, array);
   const auto mesh = std::make_shared<const MemoryRayMesh>(
     original.GetMesh(), original.GetValues(), original.GetHidden());
-  const LevelOfDetailCache::Room room = Divide(budget);
-  auto whole = MakeWholeSource(mesh, room.Whole);
+  const LevelOfDetailCache::Limits limits = Divide(budget);
+  auto whole = MakeWholeSource(mesh, limits.Whole);
   this->Levels = std::make_unique<LevelOfDetailCache>([mesh](const RaySource::Progress& progress)
     { return std::make_shared<MemoryLevelsOfDetail>(mesh, mesh->BuildTree(progress)); },
-    whole, room);
+    whole, limits);
   const Range values = GetWholeRange(*whole);
   this->Take(key, std::move(whole), values);
 }
@@ -167,7 +167,7 @@ void RayScene::SetFile(
   }
   else if (simplifies)
   {
-    this->Obstacle =
+    this->Reason =
       handle.Path + ": there is no hierarchy in the file; make one with gtn pack --hierarchy";
   }
   this->Take(key, std::move(whole), GetDrawnRange(file.GetRanges(index, step), array.Component));

@@ -62,7 +62,7 @@ public:
   LevelOfDetailCache* GetLevels() { return this->Levels.get(); }
 
   /** The reason why coarser meshes that were wanted cannot be made; empty if they can. */
-  const std::string& GetObstacle() const { return this->Obstacle; }
+  const std::string& GetReason() const { return this->Reason; }
 
   /** Draws what was set, or, if it is not null, another source of the same mesh. */
   void Draw(RayCaster& caster, const RayView& view, const RaySource::Progress& progress,
@@ -102,7 +102,7 @@ private:
   Key Known;
   std::shared_ptr<RaySource> Source;
   std::unique_ptr<LevelOfDetailCache> Levels;
-  std::string Obstacle;
+  std::string Reason;
   PieceRaySource* Pieces = nullptr; // the source, if it is one
   Range Values;
 };

@@ -234,7 +234,7 @@ std::shared_ptr<const SurfaceBase> SurfaceCutter::FindBase(
   levels.insert(levels.end(), file.GetLevels().begin(), file.GetLevels().end());
   const bool isCounted = order.View.Points < file.GetNumberOfPoints();
   const auto fits = [&](std::size_t merges)
-  { return SurfaceBase::EstimateBytes(file.GetNumberOfPoints() - merges) <= order.Room; };
+  { return SurfaceBase::EstimateBytes(file.GetNumberOfPoints() - merges) <= order.MemoryLimit; };
   const auto isKnown = [&](const auto& base)
   { return base->GetSource().File == order.Source.File && base->GetContents() == order.What; };
   if (isCounted && !this->Bases.empty() && isKnown(this->Bases.front()))
@@ -273,7 +273,7 @@ std::shared_ptr<const SurfaceBase> SurfaceCutter::FindBase(
     const std::uint64_t both = this->Bases.empty()
       ? 0
       : 2 * file.GetNumberOfPoints() - this->Bases.front()->GetMerges() - *found;
-    if (SurfaceBase::EstimateBytes(both) > order.Room)
+    if (SurfaceBase::EstimateBytes(both) > order.MemoryLimit)
     {
       this->Bases.clear();
       this->Last = nullptr;

@@ -28,8 +28,8 @@ struct SurfaceCutOrder
 {
   PublishedFile Source;
   SurfaceContents What;
-  std::size_t Merges = 0; ///< those that are made in any case
-  std::uint64_t Room = 0; ///< for base meshes, in bytes
+  std::size_t Merges = 0;        ///< those that are made in any case
+  std::uint64_t MemoryLimit = 0; ///< for base meshes, in bytes
   SurfaceDetailView View;
 };
 

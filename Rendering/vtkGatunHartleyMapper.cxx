@@ -192,15 +192,15 @@ bool vtkGatunHartleyMapper::SetView(vtkRenderer* renderer, vtkVolume* volume, bo
   vtkCamera* const active = renderer->GetActiveCamera();
   if (!active->GetParallelProjection())
   {
-    if (!this->HasToldPerspective)
+    if (!this->HasReportedPerspective)
     {
       vtkErrorMacro("A volume cannot be drawn from its Hartley coefficients in a perspective "
                     "projection. Turn on the parallel projection of the camera.");
-      this->HasToldPerspective = true;
+      this->HasReportedPerspective = true;
     }
     return false;
   }
-  this->HasToldPerspective = false;
+  this->HasReportedPerspective = false;
   vtkNew<vtkCamera> camera;
   camera->DeepCopy(active);
   if (!MoveToData(volume, camera))

@@ -111,7 +111,7 @@ private:
   bool AutoAdjustSampleDistances = true;
   double ImageSampleDistance = 1;
   double SecondsPerPixel = 0; // of the last image; 0 if it is not known
-  bool HasToldPerspective = false;
+  bool HasReportedPerspective = false;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

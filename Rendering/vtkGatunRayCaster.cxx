@@ -357,9 +357,9 @@ int vtkGatunRayCaster::RequestData(
       const auto budget = static_cast<std::uint64_t>(this->MemoryBudget) << 20;
       self.Scene.SetGrid(vtkUnstructuredGrid::GetData(inInfo), array, budget, simplifies);
     }
-    if (!self.Scene.GetObstacle().empty())
+    if (!self.Scene.GetReason().empty())
     {
-      gatun::ThrowInvalid(self.Scene.GetObstacle());
+      gatun::ThrowInvalid(self.Scene.GetReason());
     }
     const auto progress = [this](double fraction)
     {

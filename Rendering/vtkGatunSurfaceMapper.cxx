@@ -131,7 +131,7 @@ void vtkGatunSurfaceMapper::Fail() noexcept
   {
     const gatun::VTKFailure failure = gatun::DescribeFailure("The surface cannot be drawn");
     this->SetErrorCode(failure.Code);
-    if (!failure.Aborted && this->Internals->Told.insert(failure.Message).second)
+    if (!failure.Aborted && this->Internals->Reported.insert(failure.Message).second)
     {
       vtkErrorMacro(<< failure.Message);
     }
@@ -159,7 +159,7 @@ void vtkGatunSurfaceMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
       {
         std::rethrow_exception(self.Failure);
       }
-      self.Told.clear();
+      self.Reported.clear();
     }
   }
   catch (...)

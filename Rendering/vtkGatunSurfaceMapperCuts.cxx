@@ -89,8 +89,8 @@ std::optional<gatun::SurfaceCutOrder> vtkGatunSurfaceMapper::vtkInternals::MakeO
   {
     return std::nullopt;
   }
-  gatun::SurfaceCutOrder order{ this->Source, this->What, this->Whole->GetMerges(), image.Room / 2,
-    { *rays } };
+  gatun::SurfaceCutOrder order{ this->Source, this->What, this->Whole->GetMerges(),
+    image.MemoryLimit / 2, { *rays } };
   gatun::SurfaceDetailView& view = order.View;
   // A matrix that changes shapes has no one scale.
   view.Scale = std::cbrt(std::abs(toWorld->Determinant()));

@@ -352,12 +352,12 @@ void vtkGatunSurfaceMapper::vtkInternals::Keep(const Image& image, Chunk& chunk)
     this->Bytes += chunk.Bytes;
   };
   count();
-  if (this->Bytes > image.Room / 4 && chunk.IsTransferred)
+  if (this->Bytes > image.MemoryLimit / 4 && chunk.IsTransferred)
   {
     chunk.Mapper->FreeMesh();
     count();
   }
-  this->MakeRoom(image.Room, &chunk);
+  this->MakeRoom(image.MemoryLimit, &chunk);
 }
 
 //------------------------------------------------------------------------------
@@ -424,7 +424,7 @@ void vtkGatunSurfaceMapper::vtkInternals::Draw(
   const Image image = MakeImage(mapper, renderer, actor);
   if (!this->IsSelecting)
   {
-    this->MakeRoom(image.Room, nullptr);
+    this->MakeRoom(image.MemoryLimit, nullptr);
   }
   if (this->Shared && this->Shared->Shown >= 0 && !this->IsSelecting)
   {

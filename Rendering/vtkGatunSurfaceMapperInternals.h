@@ -46,8 +46,8 @@ public:
 
   std::optional<LevelChoice> Shared; ///< what several processes have agreed on
 
-  std::set<std::string> Told; ///< messages since the last image without an error
-  std::exception_ptr Failure; ///< the first one of the last image
+  std::set<std::string> Reported; ///< messages since the last image without an error
+  std::exception_ptr Failure;     ///< the first one of the last image
   vtkIdType Drawn = 0;
   vtkIdType Culled = 0;
   vtkIdType Decoded = 0;
@@ -125,7 +125,7 @@ private:
     vtkActor* Actor;
     gatun::SurfaceView Camera;
     bool IsOpaque;
-    std::uint64_t Room; // for buffers, in bytes
+    std::uint64_t MemoryLimit; // for buffers, in bytes
   };
 
   using Part = gatun::SurfacePart;

@@ -170,7 +170,7 @@ void vtkGatunVolumeMapper::Fail() noexcept
     }
     auto& self = *this->Internals;
     self.Scene.Clear();
-    if (self.Told.insert(self.GetCause(this, failure)).second)
+    if (self.Reported.insert(self.GetCause(this, failure)).second)
     {
       vtkErrorMacro(<< failure.Message);
     }
@@ -274,7 +274,7 @@ void vtkGatunVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   try
   {
     this->Internals->DrawFrame(this, renderer, volume);
-    this->Internals->Told.clear();
+    this->Internals->Reported.clear();
   }
   catch (...)
   {

@@ -294,15 +294,15 @@ gatun::FrameRequest vtkGatunVolumeMapper::vtkInternals::GetRequest(
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunVolumeMapper::vtkInternals::TellObstacle(vtkGatunVolumeMapper* mapper)
+void vtkGatunVolumeMapper::vtkInternals::ReportReason(vtkGatunVolumeMapper* mapper)
 {
-  const std::string& obstacle = this->Scene.GetObstacle();
-  if (obstacle != this->Obstacle)
+  const std::string& reason = this->Scene.GetReason();
+  if (reason != this->Reason)
   {
-    this->Obstacle = obstacle;
-    if (!obstacle.empty())
+    this->Reason = reason;
+    if (!reason.empty())
     {
-      vtkWarningWithObjectMacro(mapper, << obstacle);
+      vtkWarningWithObjectMacro(mapper, << reason);
     }
   }
 }
@@ -415,7 +415,7 @@ void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
   {
     return;
   }
-  this->TellObstacle(mapper);
+  this->ReportReason(mapper);
   // From here on, as the time for the input says nothing of the next image.
   mapper->Timer->StartTimer();
   const auto key = std::make_pair(renderer, volume);

@@ -80,7 +80,7 @@ struct ParallelPlan
   std::optional<RayView> Detail; ///< the view of the level, if it has one
   std::uint64_t NextPoints = 0;  ///< of the level for the present view that is wanted next; 0: none
   bool IsInMotion = false;
-  int Shower = -1; ///< the process that shows the image, or -1
+  int ImageProcess = -1; ///< the process that shows the image, or -1
 };
 
 /** The rays of an image with a distance between them, in pixels. */
@@ -132,9 +132,9 @@ class vtkGatunVolumeMapper::vtkInternals
 public:
   gatun::RayScene Scene;
   gatun::RayImage Image;
-  std::set<std::string> Told; // causes of failures that were reported since the last image
+  std::set<std::string> Reported; // causes of failures that were reported since the last image
 
-  std::string Obstacle;     // that was reported
+  std::string Reason;       // that was reported
   std::uint64_t Points = 0; // of the mesh in the last image; 0: all
   double PartDrawn = 0;     // of the tiles of the last image
 
@@ -172,7 +172,7 @@ public:
     vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
   gatun::FrameRequest GetRequest(
     vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
-  void TellObstacle(vtkGatunVolumeMapper* mapper);
+  void ReportReason(vtkGatunVolumeMapper* mapper);
   gatun::RayStatistics Draw(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
     const gatun::Viewport& viewport, const gatun::RayGrid& grid,
     const gatun::RaySource::Progress& progress, const gatun::Frame& frame);

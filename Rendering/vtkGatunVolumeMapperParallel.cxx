@@ -190,7 +190,7 @@ PartFacts vtkGatunVolumeMapper::vtkInternals::GetFacts(vtkGatunVolumeMapper* map
   facts.HasMesh = this->SetScene(mapper, progress);
   if (facts.HasMesh)
   {
-    this->TellObstacle(mapper);
+    this->ReportReason(mapper);
     std::copy_n(mapper->GetBounds(), facts.Bounds.size(), facts.Bounds.begin());
     const gatun::Range values = this->Scene.GetRange();
     facts.Low = values.Min;
@@ -314,7 +314,7 @@ void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
   exchange.Together(
     [&] { made = this->MakePlan(mapper, renderer, volume, levels && isFirst, frame, progress); });
   const ParallelPlan plan = exchange.TakeFirst(*made);
-  gatun::ParallelImage image(exchange, own.Width, own.Height, plan.Shower);
+  gatun::ParallelImage image(exchange, own.Width, own.Height, plan.ImageProcess);
   if (any([](const PartFacts& other) { return other.HasGeometry; }))
   {
     image.ShareDepths(own.HasGeometry ? AsSpan(depths) : std::span<float>());
@@ -384,7 +384,7 @@ void vtkGatunVolumeMapper::vtkInternals::ShowParallel(vtkRenderer* renderer, vtk
   const gatun::ParallelImage& image, vtkFloatArray* depths)
 {
   const Viewport viewport(renderer);
-  if (image.GetShower() < 0)
+  if (image.GetImageProcess() < 0)
   {
     // Before the image, as VTK shows images without writing depths, and leaves it like that. So the
     // first volume of a frame does it for all, also where it shows nothing.

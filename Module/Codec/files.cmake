@@ -35,7 +35,7 @@ gatun_core_folder(Codec
     gatunGeometry.h
     gatunGuess.h
     gatunInlineForm.h
-    gatunMarkTruth.h
+    gatunEncoderMarks.h
     gatunMeasure.h
     gatunNearestPicker.h
     gatunNeighborFit.h
@@ -53,7 +53,7 @@ gatun_core_folder(Codec
     gatunPolygonGrowth.h
     gatunPolygonModels.h
     gatunPointContext.h
-    gatunPolygonTruth.h
+    gatunEncoderPolygons.h
     gatunPolygonWalk.h
     gatunProgression.h
     gatunQuadraticCoder.h
@@ -74,7 +74,7 @@ gatun_core_folder(Codec
     gatunSurfaceCell.h
     gatunSurfaceFront.h
     gatunSurfaceModels.h
-    gatunSurfaceTruth.h
+    gatunEncoderSurface.h
     gatunSurfaceWalk.h
     gatunTetGeometry.h
     gatunTopology.h
@@ -96,12 +96,12 @@ gatun_core_folder(Codec
     gatunFront.cxx
     gatunGateFrame.cxx
     gatunGeometry.cxx
-    gatunMarkTruth.cxx
+    gatunEncoderMarks.cxx
     gatunNeighborFit.cxx
     gatunNeighborLists.cxx
     gatunPalette.cxx
     gatunPointContext.cxx
-    gatunPolygonTruth.cxx
+    gatunEncoderPolygons.cxx
     gatunProgression.cxx
     gatunQuadraticFit.cxx
     gatunQuadraticLanesAVX2.cxx
@@ -110,5 +110,5 @@ gatun_core_folder(Codec
     gatunScale.cxx
     gatunScaleSurvey.cxx
     gatunSharedSearch.cxx
-    gatunSurfaceTruth.cxx
+    gatunEncoderSurface.cxx
     gatunTetGeometry.cxx)

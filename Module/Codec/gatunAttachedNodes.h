@@ -35,18 +35,18 @@ public:
   }
 
   /** Appends the nodes of a cell of any type to its corners, and codes the order of Lagrange and
-   * Bezier cells. truth: all points of the encoder's cell. */
+   * Bezier cells. actual: all points of the encoder's cell. */
   void CodeOfType(
-    std::uint8_t type, std::vector<Vertex>& corners, std::span<const std::uint32_t> truth)
+    std::uint8_t type, std::vector<Vertex>& corners, std::span<const std::uint32_t> actual)
   {
-    this->Code(HasNodeOrder(type) ? GetNodesOfOrder(type, this->CodeOrder(type, truth.size()))
+    this->Code(HasNodeOrder(type) ? GetNodesOfOrder(type, this->CodeOrder(type, actual.size()))
                                   : GetCellNodes(type),
-      corners, truth);
+      corners, actual);
   }
 
   /** Appends these nodes to the corners of a cell. */
   void Code(
-    const CellNodes& nodes, std::vector<Vertex>& corners, std::span<const std::uint32_t> truth)
+    const CellNodes& nodes, std::vector<Vertex>& corners, std::span<const std::uint32_t> actual)
   {
     if (nodes.Nodes.empty())
     {
@@ -59,7 +59,7 @@ public:
     corners.resize(nodes.Points, NoVertex);
     for (const auto& node : nodes.Nodes)
     {
-      corners[node.Point] = this->CodeNode(node, corners, Coder::Encoding ? truth[node.Point] : 0);
+      corners[node.Point] = this->CodeNode(node, corners, Coder::Encoding ? actual[node.Point] : 0);
     }
   }
 
@@ -117,7 +117,7 @@ private:
     const auto key = MakeKey(node, points);
     const auto found = canBeFound ? this->Nodes.find(key) : this->Nodes.end();
     const bool has = found != this->Nodes.end();
-    const Vertex known = Coder::Encoding ? this->Mesh.Truth.GetMet(target) : NoVertex;
+    const Vertex known = Coder::Encoding ? this->Mesh.Actual.GetMet(target) : NoVertex;
     if (has && this->Symbols.Bit(this->IsHosts[kind], known == found->second))
     {
       return found->second;
@@ -133,7 +133,7 @@ private:
       shared += v != NoVertex && this->Mesh.GetPlace(v).Users != 0;
     }
     const bool isShared = this->Symbols.Bit(
-      this->IsShared[std::min(shared, 4u)], Coder::Encoding && this->Mesh.Truth.IsShared(target));
+      this->IsShared[std::min(shared, 4u)], Coder::Encoding && this->Mesh.Actual.IsShared(target));
     const auto vertex = isShared
       ? this->Mesh.MeetShared(target, this->NameShared(node, points, record, target))
       : this->Mesh.MeetOwn(target, record);

@@ -109,7 +109,7 @@ public:
 
   /** Finds the steps to a value, or to one within the bound, and its key. Returns false if there
    * are none. */
-  bool FindSteps(const Origin& origin, Key truth, std::int64_t& steps, Key& key) const
+  bool FindSteps(const Origin& origin, Key actual, std::int64_t& steps, Key& key) const
   {
     const auto type = this->Values.GetType();
     std::int64_t best = 0;
@@ -117,12 +117,12 @@ public:
     {
       const auto unit = this->OnLattice ? this->Zero : origin.Plain;
       best = static_cast<std::int64_t>(
-        static_cast<std::uint64_t>(GetKeyIndex(truth, unit, this->KeyStep)) -
+        static_cast<std::uint64_t>(GetKeyIndex(actual, unit, this->KeyStep)) -
         static_cast<std::uint64_t>(origin.KeyIndex));
     }
     else
     {
-      const double number = this->Values.ToNumber(truth);
+      const double number = this->Values.ToNumber(actual);
       const double away = this->OnLattice ? number / this->Width - origin.Index
                                           : (number - origin.Number) / this->Width;
       if (!(std::abs(away) < static_cast<double>(End)))
@@ -139,7 +139,7 @@ public:
       }
       steps = other;
       key = this->GetKey(origin, other);
-      if (this->OnLattice ? key == truth : this->Rounding.IsWithin(type, truth, key))
+      if (this->OnLattice ? key == actual : this->Rounding.IsWithin(type, actual, key))
       {
         return true;
       }

@@ -66,22 +66,22 @@ public:
 
   /** Codes the value at a place. Returns the key of the value that readers will have. */
   template <typename Coder>
-  Key Code(Coder& coder, const Guess& guess, std::size_t place, Key truth)
+  Key Code(Coder& coder, const Guess& guess, std::size_t place, Key actual)
   {
     const auto context = this->TakeContext(guess);
     const auto origin = this->Rule.FindOrigin(guess);
     std::int64_t steps = 0;
     bool isSpecial = false;
-    Key key = truth;
+    Key key = actual;
     if constexpr (Coder::Encoding)
     {
-      isSpecial = !this->Rule.FindSteps(origin, truth, steps, key);
+      isSpecial = !this->Rule.FindSteps(origin, actual, steps, key);
     }
     isSpecial = coder.Bit(this->Special[this->WasSpecial], isSpecial);
     this->WasSpecial = isSpecial;
     if (isSpecial)
     {
-      return this->CodeSpecial(coder, guess, truth);
+      return this->CodeSpecial(coder, guess, actual);
     }
     steps = this->CodeSteps(coder, context, steps);
     const auto kept = std::clamp<std::int64_t>(steps, -MaxKept, MaxKept);
@@ -185,17 +185,17 @@ private:
 
   /** A value that has no number of steps: exact. */
   template <typename Coder>
-  Key CodeSpecial(Coder& coder, const Guess& guess, Key truth)
+  Key CodeSpecial(Coder& coder, const Guess& guess, Key actual)
   {
     const auto& domain = this->Values;
     const auto number = [&](Key key) { return domain.ToNumber(key); };
     unsigned kind = Nearby;
     if constexpr (Coder::Encoding)
     {
-      kind = truth == this->Rule.GetZero() ? IsZero
-        : truth == this->LastRaw           ? Again
-        : std::isfinite(number(truth))     ? Nearby
-                                           : Raw;
+      kind = actual == this->Rule.GetZero() ? IsZero
+        : actual == this->LastRaw           ? Again
+        : std::isfinite(number(actual))     ? Nearby
+                                            : Raw;
     }
     kind = this->Kind.Code(coder, kind);
     if (kind == IsZero)
@@ -206,13 +206,13 @@ private:
     {
       const Key predicted = guess.GetKey(domain);
       const auto residual = this->Exact.Code(
-        coder, this->Spread.Get(), Coder::Encoding ? domain.Subtract(truth, predicted) : 0);
+        coder, this->Spread.Get(), Coder::Encoding ? domain.Subtract(actual, predicted) : 0);
       this->Spread.Add(residual);
       return domain.Add(predicted, residual);
     }
     if (kind == Raw)
     {
-      this->LastRaw = coder.Raw(truth, domain.GetBits());
+      this->LastRaw = coder.Raw(actual, domain.GetBits());
     }
     return this->LastRaw;
   }

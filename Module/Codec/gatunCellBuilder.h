@@ -116,7 +116,7 @@ class CellBuilder
 public:
   CellBuilder(
     const ChunkFrame& frame, std::span<const LatticePoint> shared, Side& side, ChunkMesh& out)
-    : Truth(side)
+    : Actual(side)
     , Counts(frame.Cells)
     , OwnVertices(frame.OwnPoints)
     , Shared(shared)
@@ -147,7 +147,7 @@ public:
     const auto id = this->GetVertices();
     this->Places.push_back(this->Shared[index]);
     this->Out.Walk.Sources.push_back(Topology::SharedFlag | index);
-    this->Truth.MeetShared(target, index);
+    this->Actual.MeetShared(target, index);
     return id;
   }
 
@@ -161,7 +161,7 @@ public:
     const auto id = this->GetVertices();
     this->Out.Walk.Sources.push_back(static_cast<std::uint32_t>(own));
     this->Out.Walk.CellRecords.push_back(record);
-    this->Places.push_back(this->Truth.MeetOwn(target, record));
+    this->Places.push_back(this->Actual.MeetOwn(target, record));
     return id;
   }
 
@@ -233,7 +233,7 @@ public:
     }
   }
 
-  Side& Truth;
+  Side& Actual;
 
 private:
   const CellCounts Counts;

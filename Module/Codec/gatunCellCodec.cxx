@@ -6,10 +6,10 @@
 #include "gatunCellBuilder.h"
 #include "gatunCellListCoder.h"
 #include "gatunChunkPlaces.h"
+#include "gatunEncoderPolygons.h"
 #include "gatunFaceMarks.h"
 #include "gatunFloatEnvironment.h"
 #include "gatunMorton.h"
-#include "gatunPolygonTruth.h"
 #include "gatunPolygonWalk.h"
 #include "gatunSurfaceWalk.h"
 
@@ -71,14 +71,14 @@ void SortByPlace(Order& order, const CellList& cells, const Bounds& box,
 /** Runs the walk that the flags name. Returns its border. */
 template <typename Coder, typename Side>
 ClosedFaces WalkCells(unsigned flags, Coder& coder, CellBuilder<Side>& mesh,
-  AttachedNodes<Coder, Side>& nodes, const FormTable& forms, PolygonTruth* truth)
+  AttachedNodes<Coder, Side>& nodes, const FormTable& forms, EncoderPolygons* actual)
 {
   if ((flags & FlagHexahedra) != 0)
   {
-    PolygonWalk<Coder, Side, HexForm> walk(coder, mesh, nodes, forms, truth);
+    PolygonWalk<Coder, Side, HexForm> walk(coder, mesh, nodes, forms, actual);
     return walk.Run();
   }
-  PolygonWalk<Coder, Side, CellForm> walk(coder, mesh, nodes, forms, truth);
+  PolygonWalk<Coder, Side, CellForm> walk(coder, mesh, nodes, forms, actual);
   return walk.Run();
 }
 
@@ -112,11 +112,11 @@ CellAttempt TryCells(const CellInput& input, bool withWalks, Sort&& sort)
   if (withWalks && input.HasSolids())
   {
     flags |= FlagWalk;
-    PolygonTruth truth(input.Cells, input.Forms);
-    others = truth.GetOthers();
-    flags |= truth.IsOfHexahedra() ? FlagHexahedra : 0;
-    const auto borders = WalkCells(flags, coder, mesh, nodes, input.Forms, &truth);
-    MarkTruth marks(input.Cells, others);
+    EncoderPolygons actual(input.Cells, input.Forms);
+    others = actual.GetOthers();
+    flags |= actual.IsOfHexahedra() ? FlagHexahedra : 0;
+    const auto borders = WalkCells(flags, coder, mesh, nodes, input.Forms, &actual);
+    EncoderMarks marks(input.Cells, others);
     if (marks.HasCells())
     {
       FaceMarks(coder, mesh, nodes).Run(borders, &marks);
@@ -126,12 +126,12 @@ CellAttempt TryCells(const CellInput& input, bool withWalks, Sort&& sort)
   }
   if (withWalks)
   {
-    SurfaceTruth truth(input.Cells, others, input.KeepCorners);
-    if (truth.HasCells())
+    EncoderSurface actual(input.Cells, others, input.KeepCorners);
+    if (actual.HasCells())
     {
-      flags |= FlagSurface | (truth.IsUniform() ? FlagUniform : 0);
-      SurfaceWalk(coder, mesh, nodes, (flags & FlagUniform) != 0, &truth).Run();
-      std::erase_if(others, [&](std::uint32_t cell) { return truth.IsTaken(cell); });
+      flags |= FlagSurface | (actual.IsUniform() ? FlagUniform : 0);
+      SurfaceWalk(coder, mesh, nodes, (flags & FlagUniform) != 0, &actual).Run();
+      std::erase_if(others, [&](std::uint32_t cell) { return actual.IsTaken(cell); });
     }
   }
   sort(others);

@@ -21,8 +21,8 @@ using Fitter = RuleFitter<CellRecord::Size, CellRecord::N1>;
 struct RuleSample
 {
   std::array<double, CellRecord::Size> Numbers;
-  double TruthNumber;
-  Key Truth;
+  double ActualNumber;
+  Key Actual;
   unsigned Axis;
 };
 
@@ -37,7 +37,7 @@ std::uint64_t CountBits(
       ApplyRule<1>(rule, [&](unsigned k) { return std::array{ sample.Numbers[k] }; })[0];
     const auto key = domains[sample.Axis].FromNumber(predicted);
     bits += static_cast<std::uint64_t>(
-      std::bit_width(key > sample.Truth ? key - sample.Truth : sample.Truth - key));
+      std::bit_width(key > sample.Actual ? key - sample.Actual : sample.Actual - key));
   }
   return bits;
 }
@@ -49,7 +49,7 @@ CellRule FitPair(std::span<const RuleSample> samples, unsigned one, unsigned oth
   for (const auto& sample : samples)
   {
     const double weight =
-      (sample.TruthNumber - sample.Numbers[one]) / (sample.Numbers[other] - sample.Numbers[one]);
+      (sample.ActualNumber - sample.Numbers[one]) / (sample.Numbers[other] - sample.Numbers[one]);
     if (std::isfinite(weight))
     {
       weights.push_back(weight);

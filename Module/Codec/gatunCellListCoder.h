@@ -48,26 +48,26 @@ public:
   /** Codes one cell. number: the encoder's, in its input. */
   void Code(std::uint32_t number)
   {
-    Cell truth;
+    Cell actual;
     if constexpr (Coder::Encoding)
     {
-      const auto& input = this->Mesh.Truth.Input;
-      truth = { input.Types[number], input.GetCorners(number), input.GetFaces(number) };
-      this->Mesh.Truth.CellOrder.push_back(number);
+      const auto& input = this->Mesh.Actual.Input;
+      actual = { input.Types[number], input.GetCorners(number), input.GetFaces(number) };
+      this->Mesh.Actual.CellOrder.push_back(number);
     }
-    const auto type = this->CodeType(truth.Type);
+    const auto type = this->CodeType(actual.Type);
     auto& models = this->GetModels(type);
     const auto firstNew = this->Mesh.GetVertices();
     this->Corners.clear();
     this->Faces.clear();
     if (type == PolyhedronType)
     {
-      this->CodePolyhedron(models, truth);
+      this->CodePolyhedron(models, actual);
       this->LogFaceEdges(firstNew);
     }
     else
     {
-      this->CodeCorners(models, type, truth.Corners);
+      this->CodeCorners(models, type, actual.Corners);
       this->LogEdges(*models.Graph, firstNew);
     }
     this->Mesh.AddCell(type, this->Corners, this->Faces, this->FindParent());
@@ -180,10 +180,10 @@ private:
   //----------------------------------------------------------------------------
   // Corners
 
-  void CodeCorners(TypeModels& models, std::uint8_t type, std::span<const std::uint32_t> truth)
+  void CodeCorners(TypeModels& models, std::uint8_t type, std::span<const std::uint32_t> actual)
   {
     const auto size = this->CodeSize(
-      models.SameSize, models.Size, models.LastSize, this->Mesh.GetCornersLeft(), truth.size());
+      models.SameSize, models.Size, models.LastSize, this->Mesh.GetCornersLeft(), actual.size());
     if (!models.Graph || models.Graph->GetCorners() != std::min<std::size_t>(size, MaxGraph))
     {
       models.Graph =
@@ -198,12 +198,12 @@ private:
       const auto row = i < models.Last.size() ? models.Last[i] + models.Steps[i] : NoVertex;
       const auto corner =
         this->CodeCorner(models.Positions[std::min<std::size_t>(i, MostPositions - 1)], before, row,
-          Coder::Encoding ? truth[i] : 0, [&] { return this->MakeRecord(models, i); });
+          Coder::Encoding ? actual[i] : 0, [&] { return this->MakeRecord(models, i); });
       this->Corners.push_back(corner);
     }
     if (hasNodes)
     {
-      this->Nodes.Code(nodes, this->Corners, truth);
+      this->Nodes.Code(nodes, this->Corners, actual);
     }
   }
 
@@ -215,7 +215,7 @@ private:
   {
     const auto vertices = this->Mesh.GetVertices();
     const bool hasRow = row < vertices;
-    const Vertex known = Coder::Encoding ? this->Mesh.Truth.GetMet(target) : NoVertex;
+    const Vertex known = Coder::Encoding ? this->Mesh.Actual.GetMet(target) : NoVertex;
     unsigned place = Coder::Encoding ? this->Uses.Find(known) : 0;
     const bool isNew = known == NoVertex;
     const bool isRow = Coder::Encoding && hasRow && row == known &&
@@ -227,7 +227,7 @@ private:
     if (this->Symbols.Bit(ways.IsNew, isNew))
     {
       const bool shared =
-        this->Symbols.Bit(ways.IsShared, Coder::Encoding && this->Mesh.Truth.IsShared(target));
+        this->Symbols.Bit(ways.IsShared, Coder::Encoding && this->Mesh.Actual.IsShared(target));
       way = shared ? Shared : Own;
       result = shared ? this->Mesh.MeetShared(target, this->SharedNames.Code(this->Symbols, target))
                       : this->Mesh.MeetOwn(target, makeRecord());
@@ -301,11 +301,11 @@ private:
   //----------------------------------------------------------------------------
   // Polyhedra
 
-  void CodePolyhedron(TypeModels& models, const Cell& truth)
+  void CodePolyhedron(TypeModels& models, const Cell& actual)
   {
     auto& own = this->Polyhedra;
     std::size_t faces = 0;
-    for (std::size_t at = 0; at < truth.Faces.size(); at += 1 + truth.Faces[at])
+    for (std::size_t at = 0; at < actual.Faces.size(); at += 1 + actual.Faces[at])
     {
       ++faces;
     }
@@ -316,24 +316,24 @@ private:
       const auto size = this->CodeSize(
         own.SameFaceSize[std::min<std::size_t>(own.LastFaceSize, own.SameFaceSize.size() - 1)],
         own.FaceSize, own.LastFaceSize, left - this->Faces.size(),
-        Coder::Encoding ? truth.Faces[at] : 0);
+        Coder::Encoding ? actual.Faces[at] : 0);
       // The sizes of this and the further faces take a value each.
       if (size + faces > left - this->Faces.size())
       {
         ThrowCorrupt("the faces of a polyhedron are larger than its chunk's directory entry says");
       }
-      this->CodeFace(size, Coder::Encoding ? truth.Faces.subspan(at + 1, size) : truth.Faces);
+      this->CodeFace(size, Coder::Encoding ? actual.Faces.subspan(at + 1, size) : actual.Faces);
       at += 1 + size;
     }
     this->FindFaceCorners();
-    if (!this->Symbols.Bit(own.ListsFaces, Coder::Encoding && this->IsPermuted(truth.Corners)))
+    if (!this->Symbols.Bit(own.ListsFaces, Coder::Encoding && this->IsPermuted(actual.Corners)))
     {
       this->Corners.clear();
-      this->CodeCorners(models, PolyhedronType, truth.Corners);
+      this->CodeCorners(models, PolyhedronType, actual.Corners);
     }
   }
 
-  void CodeFace(std::size_t size, std::span<const std::uint32_t> truth)
+  void CodeFace(std::size_t size, std::span<const std::uint32_t> actual)
   {
     const auto begin = this->Faces.size() + 1;
     this->Faces.push_back(static_cast<Vertex>(size));
@@ -342,7 +342,7 @@ private:
     {
       const auto corner = this->CodeCorner(
         this->Polyhedra.Positions[std::min<std::size_t>(i, MostPositions - 1)], before, NoVertex,
-        Coder::Encoding ? truth[i] : 0, [&] { return this->MakeFaceRecord(begin, i, size); });
+        Coder::Encoding ? actual[i] : 0, [&] { return this->MakeFaceRecord(begin, i, size); });
       this->Faces.push_back(corner);
     }
   }
@@ -391,15 +391,15 @@ private:
   }
 
   /** Encoder: whether a list of points has the same ones as that of FindFaceCorners. */
-  bool IsPermuted(std::span<const std::uint32_t> truth)
+  bool IsPermuted(std::span<const std::uint32_t> actual)
   {
-    if (truth.size() != this->Corners.size())
+    if (actual.size() != this->Corners.size())
     {
       return false;
     }
-    for (const auto target : truth)
+    for (const auto target : actual)
     {
-      const Vertex v = this->Mesh.Truth.GetMet(target);
+      const Vertex v = this->Mesh.Actual.GetMet(target);
       if (v == NoVertex || this->Seen[v] != this->Mark)
       {
         return false;

@@ -46,12 +46,12 @@ public:
 
   /** The place is that of the value in the component. */
   template <typename Coder>
-  Key Code(Coder& coder, const Guess& guess, std::size_t, Key truth)
+  Key Code(Coder& coder, const Guess& guess, std::size_t, Key actual)
   {
     const Key predicted = guess.GetKey(this->Values);
     const auto [group, spread] = this->FindContext(guess, predicted);
     const auto residual = this->Models[group].Code(
-      coder, spread, Coder::Encoding ? this->Values.Subtract(truth, predicted) : 0);
+      coder, spread, Coder::Encoding ? this->Values.Subtract(actual, predicted) : 0);
     this->Running.Add(residual);
     return AddResidual(this->Values, predicted, residual);
   }

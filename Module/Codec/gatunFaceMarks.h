@@ -8,7 +8,7 @@
 
 #include "gatunAttachedNodes.h"
 #include "gatunCellBuilder.h"
-#include "gatunMarkTruth.h"
+#include "gatunEncoderMarks.h"
 #include "gatunPolygonFront.h"
 #include "gatunPolygonModels.h"
 
@@ -35,8 +35,8 @@ public:
   {
   }
 
-  /** borders: in the order in which they were closed. truth: of an encoder. */
-  void Run(const ClosedFaces& borders, MarkTruth* truth)
+  /** borders: in the order in which they were closed. actual: of an encoder. */
+  void Run(const ClosedFaces& borders, EncoderMarks* actual)
   {
     for (const auto& face : borders.Faces)
     {
@@ -50,11 +50,11 @@ public:
       const auto direction = GradeDirection(face.Normal);
       auto& last = this->Last[direction];
       auto& model = this->IsMarked[(direction * 4 + last) * 2 + (users != 0)];
-      const bool marked = this->Symbols.Bit(model, this->FindCell(truth));
+      const bool marked = this->Symbols.Bit(model, this->FindCell(actual));
       last = (last * 2 + marked) % 4;
       if (marked)
       {
-        this->CodeCell(face, truth);
+        this->CodeCell(face, actual);
       }
     }
   }
@@ -72,28 +72,28 @@ private:
     return 2 * axis + (parts[axis] < 0);
   }
 
-  bool FindCell(MarkTruth* truth)
+  bool FindCell(EncoderMarks* actual)
   {
     if constexpr (Coder::Encoding)
     {
       this->Input.clear();
       for (const auto v : this->Face)
       {
-        this->Input.push_back(this->Mesh.Truth.InputOf[v]);
+        this->Input.push_back(this->Mesh.Actual.InputOf[v]);
       }
-      return truth->FindCell(this->Input);
+      return actual->FindCell(this->Input);
     }
     return false;
   }
 
-  void CodeCell(const PolygonFront::Face& face, const MarkTruth* truth)
+  void CodeCell(const PolygonFront::Face& face, const EncoderMarks* actual)
   {
     const auto degree = static_cast<unsigned>(this->Face.size());
     const auto type = CodeLast(this->Symbols, this->Types[std::min(degree, 255u)], this->TypeTree,
-      Coder::Encoding ? truth->Type : std::uint8_t{ 0 });
+      Coder::Encoding ? actual->Type : std::uint8_t{ 0 });
     const auto turn =
       CodeLast(this->Symbols, this->Turns[MixContext<10>(type, face.Type, face.Frame)],
-        this->TurnTree, Coder::Encoding ? truth->Turn : std::uint8_t{ 0 });
+        this->TurnTree, Coder::Encoding ? actual->Turn : std::uint8_t{ 0 });
     if (CountMarkCorners(type, degree) != degree || turn >= 2 * degree)
     {
       ThrowCorrupt("a face is a cell of a type that it cannot have");
@@ -103,17 +103,17 @@ private:
     {
       this->Corners[GetMarkCorner(type, i)] = this->Face[GetMarkPlace(turn, i, degree)];
     }
-    this->Nodes.CodeOfType(type, this->Corners, this->GetInputCorners(truth));
+    this->Nodes.CodeOfType(type, this->Corners, this->GetInputCorners(actual));
     this->Mesh.AddCell(type, this->Corners, {}, face.Cell);
   }
 
   /** Encoder: the points of the cell that was found, which comes next. */
-  std::span<const std::uint32_t> GetInputCorners(const MarkTruth* truth)
+  std::span<const std::uint32_t> GetInputCorners(const EncoderMarks* actual)
   {
     if constexpr (Coder::Encoding)
     {
-      this->Mesh.Truth.CellOrder.push_back(truth->Cell);
-      return this->Mesh.Truth.Input.GetCorners(truth->Cell);
+      this->Mesh.Actual.CellOrder.push_back(actual->Cell);
+      return this->Mesh.Actual.Input.GetCorners(actual->Cell);
     }
     return {};
   }

@@ -46,13 +46,14 @@ public:
   /** Codes the vertex on a gate. numbers: of all vertices met. Other rules are not used. */
   template <typename DomainType, typename Predict>
   Keys Code(Coder& coder, const std::array<DomainType, 3>& domains, const GateRecord& record,
-    unsigned, Predict&&, std::span<const Numbers> numbers, std::span<const Keys>, const Keys& truth)
+    unsigned, Predict&&, std::span<const Numbers> numbers, std::span<const Keys>,
+    const Keys& actual)
   {
     Keys result{};
     this->ForEachAxis({ record, numbers },
       [&](unsigned i, double number, double deviation)
       {
-        result[i] = this->CodeAxis(coder, domains[i], number, deviation, truth[i]);
+        result[i] = this->CodeAxis(coder, domains[i], number, deviation, actual[i]);
         return domains[i].ToNumber(result[i]);
       });
     return result;
@@ -60,14 +61,14 @@ public:
 
   /** Residuals of a vertex that is coded. */
   std::array<std::int64_t, 3> GetResiduals(const std::array<Domain, 3>& domains,
-    const GateRecord& record, std::span<const Numbers> numbers, const Keys& truth) const
+    const GateRecord& record, std::span<const Numbers> numbers, const Keys& actual) const
   {
     std::array<std::int64_t, 3> residuals{};
     this->ForEachAxis({ record, numbers },
       [&](unsigned i, double number, double)
       {
-        residuals[i] = domains[i].Subtract(truth[i], domains[i].FromNumber(number));
-        return domains[i].ToNumber(truth[i]);
+        residuals[i] = domains[i].Subtract(actual[i], domains[i].FromNumber(number));
+        return domains[i].ToNumber(actual[i]);
       });
     return residuals;
   }
@@ -99,7 +100,7 @@ private:
 
   template <typename DomainType>
   GATUN_INLINE Key CodeAxis(
-    Coder& coder, const DomainType& domain, double number, double deviation, Key truth)
+    Coder& coder, const DomainType& domain, double number, double deviation, Key actual)
   {
     const Key predicted = domain.FromNumber(number);
     // Away from zero, where keys are further apart.
@@ -109,7 +110,7 @@ private:
     // The two bits behind the first one.
     const auto fraction = spread < 3 ? 0 : distance >> (spread - 3) & 3;
     const auto residual = this->Models[fraction].Code(
-      coder, spread, Coder::Encoding ? domain.Subtract(truth, predicted) : 0);
+      coder, spread, Coder::Encoding ? domain.Subtract(actual, predicted) : 0);
     const Key key = domain.Add(predicted, residual);
     if (!Coder::Encoding && !domain.IsValid(key))
     {

@@ -273,12 +273,12 @@ public:
    * Codes the next own vertex. keys contains those of all vertices met so far. Returns the keys of
    * the vertex; usedRule receives its rule.
    */
-  PointKeys Code(const Record& record, std::span<const PointKeys> keys, const PointKeys& truth,
+  PointKeys Code(const Record& record, std::span<const PointKeys> keys, const PointKeys& actual,
     std::uint8_t& usedRule)
   {
     static constexpr std::array<Float32Domain, 3> float32{};
-    return this->IsFloat32 ? this->CodeAs(float32, record, keys, truth, usedRule)
-                           : this->CodeAs(this->Components, record, keys, truth, usedRule);
+    return this->IsFloat32 ? this->CodeAs(float32, record, keys, actual, usedRule)
+                           : this->CodeAs(this->Components, record, keys, actual, usedRule);
   }
 
 private:
@@ -286,7 +286,7 @@ private:
 
   template <typename DomainType>
   PointKeys CodeAs(const std::array<DomainType, 3>& domains, const Record& record,
-    std::span<const PointKeys> keys, const PointKeys& truth, std::uint8_t& usedRule)
+    std::span<const PointKeys> keys, const PointKeys& actual, std::uint8_t& usedRule)
   {
     PointKeys result{};
     unsigned group = Scheme::Groups - 1;
@@ -294,7 +294,7 @@ private:
     if (!record.IsSeed())
     {
       rule = this->Predictor.CodeRule(
-        this->Symbols, record, [&] { return this->FindBestRule(record, truth); });
+        this->Symbols, record, [&] { return this->FindBestRule(record, actual); });
       group = this->Predictor.GetGroup(record, rule);
     }
     usedRule = static_cast<std::uint8_t>(rule);
@@ -302,7 +302,7 @@ private:
     {
       this->Previous = this->Predictor.Local->Code(
         this->Symbols, domains, record, group, [&] { return this->Predict(rule, record); },
-        std::span<const PointNumbers>(this->Numbers), keys, truth);
+        std::span<const PointNumbers>(this->Numbers), keys, actual);
       return this->Previous;
     }
     const auto predictions = record.IsSeed() ? PointNumbers{} : this->Predict(rule, record);
@@ -321,7 +321,7 @@ private:
       }
       auto& model = this->Residuals[(i * Scheme::Groups + group) * 4 + grade];
       const auto residual = model.Code(
-        this->Symbols, spread, Coder::Encoding ? domain.Subtract(truth[i], predicted) : 0);
+        this->Symbols, spread, Coder::Encoding ? domain.Subtract(actual[i], predicted) : 0);
       result[i] = domain.Add(predicted, residual);
       if (!Coder::Encoding && !domain.IsValid(result[i]))
       {
@@ -339,7 +339,7 @@ private:
       [&](unsigned k) -> const PointNumbers& { return this->Numbers[record.Known[k]]; });
   }
 
-  unsigned FindBestRule(const Record& record, const PointKeys& truth) const
+  unsigned FindBestRule(const Record& record, const PointKeys& actual) const
   {
     unsigned best = 0;
     int least = 1 << 30;
@@ -350,7 +350,7 @@ private:
         continue;
       }
       int bits = 0;
-      for (const auto residual : this->GetResiduals(rule, record, truth))
+      for (const auto residual : this->GetResiduals(rule, record, actual))
       {
         const auto size = static_cast<std::uint64_t>(residual < 0 ? -(residual + 1) : residual);
         bits += 2 * std::bit_width(size) + (residual != 0);
@@ -365,14 +365,14 @@ private:
   }
 
   std::array<std::int64_t, 3> GetResiduals(
-    unsigned rule, const Record& record, const PointKeys& truth) const
+    unsigned rule, const Record& record, const PointKeys& actual) const
   {
     if constexpr (Scheme::HasLocalRule)
     {
       if (this->Predictor.IsLocal(record, rule))
       {
         return this->Predictor.Local->GetResiduals(
-          this->Components, record, std::span<const PointNumbers>(this->Numbers), truth);
+          this->Components, record, std::span<const PointNumbers>(this->Numbers), actual);
       }
     }
     const auto predictions = this->Predict(rule, record);
@@ -380,7 +380,7 @@ private:
     for (unsigned i = 0; i < 3; ++i)
     {
       const Domain& domain = this->Components[i];
-      residuals[i] = domain.Subtract(truth[i], domain.FromNumber(predictions[i]));
+      residuals[i] = domain.Subtract(actual[i], domain.FromNumber(predictions[i]));
     }
     return residuals;
   }

@@ -21,22 +21,22 @@ class InlineForm
 public:
   /**
    * degrees: for each side of the gate, the number of corners of the face that is probably over it,
-   * or 0. truth: the encoder's code of the form.
+   * or 0. actual: the encoder's code of the form.
    */
   template <typename Coder>
   void Code(
-    Coder& coder, FormBuilder& form, std::span<const std::uint8_t> degrees, const FormCode& truth)
+    Coder& coder, FormBuilder& form, std::span<const std::uint8_t> degrees, const FormCode& actual)
   {
     form.Begin(static_cast<unsigned>(degrees.size()));
     std::size_t at = 1;
     while (form.FindEdge())
     {
-      const unsigned size = this->CodeSize(coder, form, degrees, Coder::Encoding ? truth[at] : 0);
+      const unsigned size = this->CodeSize(coder, form, degrees, Coder::Encoding ? actual[at] : 0);
       ++at;
       form.BeginFace(size);
       for (unsigned i = 2; i < size; ++i, ++at)
       {
-        form.AddCorner(this->CodeCorner(coder, form, size - i, Coder::Encoding ? truth[at] : 0));
+        form.AddCorner(this->CodeCorner(coder, form, size - i, Coder::Encoding ? actual[at] : 0));
       }
     }
   }

@@ -176,11 +176,11 @@ public:
   }
 
   /** The key that readers will have. The index is that of the residual; the indices ascend. */
-  Key GetValue(const Guess& guess, std::size_t index, Key truth)
+  Key GetValue(const Guess& guess, std::size_t index, Key actual)
   {
     if constexpr (Coder::Encoding)
     {
-      return this->Find(guess, truth);
+      return this->Find(guess, actual);
     }
     const std::int64_t residual = this->List.Residuals[index];
     if (!this->List.IsBounded)
@@ -193,21 +193,21 @@ public:
   }
 
 private:
-  Key Find(const Guess& guess, Key truth)
+  Key Find(const Guess& guess, Key actual)
   {
     auto& residuals = this->List.Residuals;
     if (!this->List.IsBounded)
     {
-      residuals.push_back(this->Values.Subtract(truth, guess.GetKey(this->Values)));
-      return truth;
+      residuals.push_back(this->Values.Subtract(actual, guess.GetKey(this->Values)));
+      return actual;
     }
-    Key key = truth;
+    Key key = actual;
     std::int64_t steps = 0;
-    if (!this->Rule.FindSteps(this->Rule.FindOrigin(guess), truth, steps, key))
+    if (!this->Rule.FindSteps(this->Rule.FindOrigin(guess), actual, steps, key))
     {
       residuals.push_back(PlainResiduals::NoSteps);
-      this->List.Keys.push_back(truth);
-      return truth;
+      this->List.Keys.push_back(actual);
+      return actual;
     }
     residuals.push_back(steps);
     return key;

@@ -61,7 +61,7 @@ public:
   template <typename DomainType, typename Predict>
   Keys Code(Coder& coder, const std::array<DomainType, 3>& domains, const CellRecord& record,
     unsigned group, Predict&& predict, std::span<const Numbers> numbers, std::span<const Keys> keys,
-    const Keys& truth)
+    const Keys& actual)
   {
     const Numbers place = predict();
     const std::array corners{ record.Known[CellRecord::N1], record.Known[CellRecord::N2],
@@ -78,7 +78,7 @@ public:
     for (unsigned k = 0; k < 3; ++k)
     {
       const auto i = frame.Axes[k];
-      if (this->Repeats && this->CodeRepeat(coder, i, number, corners, keys, truth, result[i]))
+      if (this->Repeats && this->CodeRepeat(coder, i, number, corners, keys, actual, result[i]))
       {
         repeated |= static_cast<std::uint8_t>(1u << i);
         ++number;
@@ -90,7 +90,7 @@ public:
         auto& models = isLast ? this->Normal : this->Tangential;
         const auto context = isLast ? level : k * Groups + group;
         result[i] = this->CodeAxis(coder, domains[i], predicted, frame.Extent,
-          models[context * 4 + grade], truth[i], isLast);
+          models[context * 4 + grade], actual[i], isLast);
         grade = std::max(grade, models[context * 4 + grade].Grade);
       }
       shift += frame.Normal[i] * (domains[i].ToNumber(result[i]) - place[i]);
@@ -161,7 +161,7 @@ private:
 
   /** Codes whether a coordinate is that of one of the corners. */
   bool CodeRepeat(Coder& coder, unsigned axis, unsigned number,
-    const std::array<Vertex, 3>& corners, std::span<const Keys> keys, const Keys& truth, Key& key)
+    const std::array<Vertex, 3>& corners, std::span<const Keys> keys, const Keys& actual, Key& key)
   {
     const std::array known{ keys[corners[0]][axis], keys[corners[1]][axis],
       keys[corners[2]][axis] };
@@ -171,17 +171,17 @@ private:
       4 * unsigned{ known[1] == known[2] };
     const unsigned context = ((number * 2 + isRepeated(0)) * 2 + isRepeated(1)) * 8 + equal;
     const bool isOne =
-      truth[axis] == known[0] || truth[axis] == known[1] || truth[axis] == known[2];
+      actual[axis] == known[0] || actual[axis] == known[1] || actual[axis] == known[2];
     if (!coder.Bit(this->IsRepeated[context], isOne))
     {
       return false;
     }
     // Equal ones are asked for once.
     unsigned chosen = 0;
-    if (!coder.Bit(this->IsCorner[0][context], truth[axis] == known[0]))
+    if (!coder.Bit(this->IsCorner[0][context], actual[axis] == known[0]))
     {
       chosen = equal == 1 ||
-          (equal == 0 && !coder.Bit(this->IsCorner[1][context], truth[axis] == known[1]))
+          (equal == 0 && !coder.Bit(this->IsCorner[1][context], actual[axis] == known[1]))
         ? 2
         : 1;
     }
@@ -191,14 +191,14 @@ private:
 
   template <typename DomainType>
   Key CodeAxis(Coder& coder, const DomainType& domain, double number, double extent,
-    ResidualModel& model, Key truth, bool isLast)
+    ResidualModel& model, Key actual, bool isLast)
   {
     const Key predicted = domain.FromNumber(number);
     const Key beyond = domain.FromNumber(number + extent);
     const auto spread = static_cast<unsigned>(
       std::bit_width(beyond > predicted ? beyond - predicted : predicted - beyond));
     const auto residual =
-      model.Code(coder, spread, Coder::Encoding ? domain.Subtract(truth, predicted) : 0);
+      model.Code(coder, spread, Coder::Encoding ? domain.Subtract(actual, predicted) : 0);
     const Key key = domain.Add(predicted, residual);
     if (!Coder::Encoding && !domain.IsValid(key))
     {

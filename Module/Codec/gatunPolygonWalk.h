@@ -11,13 +11,13 @@
 #include "gatunCellBuilder.h"
 #include "gatunCellForms.h"
 #include "gatunCellShapes.h"
+#include "gatunEncoderPolygons.h"
 #include "gatunHexForm.h"
 #include "gatunPolygonCell.h"
 #include "gatunPolygonFront.h"
 #include "gatunPolygonGate.h"
 #include "gatunPolygonGrowth.h"
 #include "gatunPolygonModels.h"
-#include "gatunPolygonTruth.h"
 
 #include <algorithm>
 #include <array>
@@ -43,14 +43,14 @@ class PolygonWalk
 public:
   static constexpr bool OfHexahedra = std::is_same_v<Form, HexForm>;
 
-  /** truth: of an encoder, otherwise null. */
+  /** actual: of an encoder, otherwise null. */
   PolygonWalk(Coder& coder, CellBuilder<Side>& mesh, AttachedNodes<Coder, Side>& nodes,
-    const FormTable& forms, PolygonTruth* truth)
+    const FormTable& forms, EncoderPolygons* actual)
     : Symbols(coder)
     , Mesh(mesh)
     , Nodes(nodes)
     , Forms(forms)
-    , Truth(truth)
+    , Actual(actual)
     , Open(mesh.GetAllVertices())
     , Models(forms.GetSize())
     , Cell(Open, mesh)
@@ -94,7 +94,7 @@ private:
   //----------------------------------------------------------------------------
   // The encoder's input
 
-  bool FindSeed() { return this->Truth && this->Truth->FindSeed(); }
+  bool FindSeed() { return this->Actual && this->Actual->FindSeed(); }
 
   bool FindCell(const PolygonFront::Face& gate)
   {
@@ -104,9 +104,9 @@ private:
       for (unsigned i = 0; i < gate.Degree; ++i)
       {
         this->GateInput.push_back(
-          this->Mesh.Truth.InputOf[this->Open.GetSide(gate.First + i).Corner]);
+          this->Mesh.Actual.InputOf[this->Open.GetSide(gate.First + i).Corner]);
       }
-      return this->Truth->FindCell(this->GateInput);
+      return this->Actual->FindCell(this->GateInput);
     }
     return false;
   }
@@ -114,12 +114,12 @@ private:
   /** The input's vertex at a corner of the form. */
   std::uint32_t GetTarget(unsigned corner) const
   {
-    return Coder::Encoding ? this->Truth->Corners[corner] : 0;
+    return Coder::Encoding ? this->Actual->Corners[corner] : 0;
   }
 
   Vertex GetKnown(unsigned corner) const
   {
-    return Coder::Encoding ? this->Mesh.Truth.GetMet(this->GetTarget(corner)) : NoVertex;
+    return Coder::Encoding ? this->Mesh.Actual.GetMet(this->GetTarget(corner)) : NoVertex;
   }
 
   //----------------------------------------------------------------------------
@@ -202,8 +202,8 @@ private:
   {
     if constexpr (Coder::Encoding)
     {
-      return { this->Truth->Form, this->Mesh.Truth.Input.Types[this->Truth->Cell],
-        this->Truth->Frame };
+      return { this->Actual->Form, this->Mesh.Actual.Input.Types[this->Actual->Cell],
+        this->Actual->Frame };
     }
     return {};
   }
@@ -231,13 +231,13 @@ private:
     else
     {
       const auto unlisted = static_cast<std::uint16_t>(this->Forms.GetSize());
-      const auto truth = Coder::Encoding ? this->Truth->Form : std::uint16_t{ 0 };
+      const auto actual = Coder::Encoding ? this->Actual->Form : std::uint16_t{ 0 };
       if (unlisted > 0 &&
         this->Symbols.Bit(this->Models.IsListed[(parent == unlisted) + 2 * (grades.Degree == 0)],
-          truth != FormTable::None))
+          actual != FormTable::None))
       {
         this->BeginListed(
-          this->Models.CodeForm(this->Symbols, this->Forms, parent, face, grades, truth));
+          this->Models.CodeForm(this->Symbols, this->Forms, parent, face, grades, actual));
       }
       else
       {
@@ -249,7 +249,7 @@ private:
   void BeginInlined(const GateGrades& grades)
   {
     static const FormCode none;
-    const auto& code = Coder::Encoding ? this->Truth->GetCode() : none;
+    const auto& code = Coder::Encoding ? this->Actual->GetCode() : none;
     if (grades.Degree == 0)
     {
       const auto degree = CodeIndex(this->Symbols, Coder::Encoding ? code[0] : 0, 256);
@@ -367,7 +367,7 @@ private:
 
   bool IsShared(std::uint32_t target) const
   {
-    return Coder::Encoding && this->Mesh.Truth.IsShared(target);
+    return Coder::Encoding && this->Mesh.Actual.IsShared(target);
   }
 
   Vertex CodeKnown(Vertex known, unsigned nearest)
@@ -412,9 +412,9 @@ private:
     std::uint8_t frame = 0;
     if constexpr (Coder::Encoding)
     {
-      type = this->Mesh.Truth.Input.Types[this->Truth->Cell];
-      frame = this->Truth->Frame;
-      this->Mesh.Truth.CellOrder.push_back(this->Truth->Cell);
+      type = this->Mesh.Actual.Input.Types[this->Actual->Cell];
+      frame = this->Actual->Frame;
+      this->Mesh.Actual.CellOrder.push_back(this->Actual->Cell);
     }
     if (this->IsUsual)
     {
@@ -465,7 +465,7 @@ private:
   {
     if constexpr (Coder::Encoding)
     {
-      return this->Mesh.Truth.Input.GetCorners(this->Truth->Cell);
+      return this->Mesh.Actual.Input.GetCorners(this->Actual->Cell);
     }
     return {};
   }
@@ -492,7 +492,7 @@ private:
   CellBuilder<Side>& Mesh;
   AttachedNodes<Coder, Side>& Nodes;
   const FormTable& Forms;
-  PolygonTruth* const Truth;
+  EncoderPolygons* const Actual;
   PolygonFront Open;
   PolygonModels Models;
   PolygonCell<CellBuilder<Side>, Form> Cell;

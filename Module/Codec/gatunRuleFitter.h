@@ -59,7 +59,7 @@ template <std::size_t Slots, unsigned Center>
 class RuleFitter
 {
 public:
-  void Add(const std::array<double, Slots>& numbers, double truth)
+  void Add(const std::array<double, Slots>& numbers, double actual)
   {
     std::array<double, Unknowns> offset{};
     double square = 0;
@@ -72,7 +72,7 @@ public:
         ++u;
       }
     }
-    const double wanted = truth - numbers[Center];
+    const double wanted = actual - numbers[Center];
     const double weight = 1.0 / square;
     if (!std::isfinite(weight) || !std::isfinite(wanted))
     {

@@ -12,11 +12,11 @@
 #include "gatunAttachedNodes.h"
 #include "gatunCellBuilder.h"
 #include "gatunCellShapes.h"
-#include "gatunMarkTruth.h"
+#include "gatunEncoderMarks.h"
+#include "gatunEncoderSurface.h"
 #include "gatunSurfaceCell.h"
 #include "gatunSurfaceFront.h"
 #include "gatunSurfaceModels.h"
-#include "gatunSurfaceTruth.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -34,15 +34,15 @@ template <typename Coder, typename Side>
 class SurfaceWalk
 {
 public:
-  /** uniform: whether all polygons are triangles that are oriented alike. truth: of an encoder,
+  /** uniform: whether all polygons are triangles that are oriented alike. actual: of an encoder,
    * otherwise null. */
   SurfaceWalk(Coder& coder, CellBuilder<Side>& mesh, AttachedNodes<Coder, Side>& nodes,
-    bool uniform, SurfaceTruth* truth)
+    bool uniform, EncoderSurface* actual)
     : Symbols(coder)
     , Mesh(mesh)
     , Nodes(nodes)
     , IsUniform(uniform)
-    , Truth(truth)
+    , Actual(actual)
     , Open(mesh.GetAllVertices())
     , Cell(Open, mesh)
   {
@@ -58,7 +58,7 @@ public:
         this->GrowOnGate(gate);
       }
       else if (this->Symbols.Bit(
-                 this->Models.MoreSeeds, Coder::Encoding && this->Truth->FindSeed()))
+                 this->Models.MoreSeeds, Coder::Encoding && this->Actual->FindSeed()))
       {
         this->GrowSeed();
       }
@@ -77,31 +77,31 @@ private:
   {
     if constexpr (Coder::Encoding)
     {
-      const auto& input = this->Mesh.Truth.InputOf;
-      return this->Truth->FindCell(input[gate.Begin], input[gate.End], gate.Frame % 2 != 0);
+      const auto& input = this->Mesh.Actual.InputOf;
+      return this->Actual->FindCell(input[gate.Begin], input[gate.End], gate.Frame % 2 != 0);
     }
     return false;
   }
 
-  std::uint32_t GetTruthDegree() const
+  std::uint32_t GetActualDegree() const
   {
-    return Coder::Encoding ? static_cast<std::uint32_t>(this->Truth->Corners.size()) : 0;
+    return Coder::Encoding ? static_cast<std::uint32_t>(this->Actual->Corners.size()) : 0;
   }
 
   /** The input's vertex at a corner. */
   std::uint32_t GetTarget(std::uint32_t corner) const
   {
-    return Coder::Encoding ? this->Truth->Corners[corner] : 0;
+    return Coder::Encoding ? this->Actual->Corners[corner] : 0;
   }
 
   Vertex GetKnown(std::uint32_t corner) const
   {
-    return Coder::Encoding ? this->Mesh.Truth.GetMet(this->GetTarget(corner)) : NoVertex;
+    return Coder::Encoding ? this->Mesh.Actual.GetMet(this->GetTarget(corner)) : NoVertex;
   }
 
   bool IsShared(std::uint32_t target) const
   {
-    return Coder::Encoding && this->Mesh.Truth.IsShared(target);
+    return Coder::Encoding && this->Mesh.Actual.IsShared(target);
   }
 
   //----------------------------------------------------------------------------
@@ -159,7 +159,7 @@ private:
   {
     const auto degree = this->IsUniform
       ? 3u
-      : this->Models.CodeDegree(this->Symbols, parentDegree, begin, end, this->GetTruthDegree());
+      : this->Models.CodeDegree(this->Symbols, parentDegree, begin, end, this->GetActualDegree());
     if (degree < 3 || degree > MaxWalkedCorners || degree > this->Mesh.GetCornersLeft())
     {
       ThrowCorrupt("a polygon of a chunk has an impossible number of corners");
@@ -322,11 +322,11 @@ private:
     }
     else
     {
-      edge.Type = this->Models.CodeType(
-        this->Symbols, degree, parentType, Coder::Encoding ? this->Truth->Type : std::uint8_t{ 0 });
+      edge.Type = this->Models.CodeType(this->Symbols, degree, parentType,
+        Coder::Encoding ? this->Actual->Type : std::uint8_t{ 0 });
       turn = this->Models.CodeTurn(this->Symbols, edge.Type, degree,
         parentDegree + 32 * this->Cell.FindLongestSide(), parentFrame,
-        Coder::Encoding ? this->Truth->Turn : 0u);
+        Coder::Encoding ? this->Actual->Turn : 0u);
       if (CountMarkCorners(edge.Type, degree) != degree || turn >= 2 * degree)
       {
         ThrowCorrupt("a polygon is a cell of a type that it cannot have");
@@ -354,8 +354,8 @@ private:
   {
     if constexpr (Coder::Encoding)
     {
-      this->Mesh.Truth.CellOrder.push_back(this->Truth->Cell);
-      return this->Mesh.Truth.Input.GetCorners(this->Truth->Cell);
+      this->Mesh.Actual.CellOrder.push_back(this->Actual->Cell);
+      return this->Mesh.Actual.Input.GetCorners(this->Actual->Cell);
     }
     return {};
   }
@@ -364,7 +364,7 @@ private:
   CellBuilder<Side>& Mesh;
   AttachedNodes<Coder, Side>& Nodes;
   const bool IsUniform;
-  SurfaceTruth* const Truth;
+  EncoderSurface* const Actual;
   SurfaceFront Open;
   SurfaceModels Models;
   SurfaceCell<CellBuilder<Side>> Cell;

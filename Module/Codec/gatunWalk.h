@@ -58,7 +58,7 @@ class Walk
 public:
   Walk(Coder& coder, Side& side, const WalkInput& input, Topology& out)
     : Symbols(coder)
-    , Truth(side)
+    , Actual(side)
     , Input(input)
     , Out(out)
     , Growth(std::min(input.Tets, input.Stop),
@@ -121,7 +121,7 @@ private:
     const auto id = this->Vertices++;
     this->Places[id] = this->Input.Shared[index];
     this->Out.Sources[id] = Topology::SharedFlag | index;
-    this->Truth.MeetShared(corner, index);
+    this->Actual.MeetShared(corner, index);
     return id;
   }
 
@@ -134,7 +134,7 @@ private:
     const auto id = this->Vertices++;
     this->Out.Sources[id] = this->Owns;
     this->Out.Records[this->Owns++] = record;
-    this->Places[id] = this->Truth.MeetOwn(corner, record);
+    this->Places[id] = this->Actual.MeetOwn(corner, record);
     return id;
   }
 
@@ -157,7 +157,7 @@ private:
   {
     if constexpr (Coder::Encoding)
     {
-      this->Truth.NextSeed();
+      this->Actual.NextSeed();
     }
     std::array<Vertex, 4> v{};
     for (unsigned i = 0; i < 4; ++i)
@@ -179,19 +179,19 @@ private:
 
   Vertex CodeSeedVertex(unsigned corner)
   {
-    const Vertex target = Coder::Encoding ? this->Truth.GetTarget(corner) : NoVertex;
+    const Vertex target = Coder::Encoding ? this->Actual.GetTarget(corner) : NoVertex;
     if (!this->Symbols.Bit(this->Models.SeedNew, target == NoVertex))
     {
       return this->CodeIndex(target, this->Vertices);
     }
     if (!this->Symbols.Bit(
-          this->Models.SeedShared, Coder::Encoding && this->Truth.IsTargetShared(corner)))
+          this->Models.SeedShared, Coder::Encoding && this->Actual.IsTargetShared(corner)))
     {
       return this->MeetOwn(corner, GateRecord{});
     }
     return this->MeetShared(corner,
       this->CodeIndex(
-        Coder::Encoding ? this->Truth.GetTargetShared(corner) : 0, this->Input.Shared.size()));
+        Coder::Encoding ? this->Actual.GetTargetShared(corner) : 0, this->Input.Shared.size()));
   }
 
   //----------------------------------------------------------------------------
@@ -205,8 +205,8 @@ private:
     Vertex target = NoVertex;
     if constexpr (Coder::Encoding)
     {
-      border = this->Truth.FindTet(face) == Topology::NoTet;
-      target = border ? NoVertex : this->Truth.GetTarget(3);
+      border = this->Actual.FindTet(face) == Topology::NoTet;
+      target = border ? NoVertex : this->Actual.GetTarget(3);
     }
 
     // Most faces whose corners another chunk uses are the interface with that chunk.
@@ -267,7 +267,7 @@ private:
     const unsigned grade =
       (isShared(c[0]) + isShared(c[1]) + isShared(c[2])) * 2 + isShared(gate.Face.Apex);
     if (this->Symbols.Bit(
-          this->Models.Shared[grade], Coder::Encoding && this->Truth.IsTargetShared(3)))
+          this->Models.Shared[grade], Coder::Encoding && this->Actual.IsTargetShared(3)))
     {
       return this->MeetShared(3, this->CodeShared(gate));
     }
@@ -278,7 +278,7 @@ private:
   // registers.
   [[gnu::noinline]] std::uint32_t CodeShared(const Gate<Rule>& gate)
   {
-    const auto target = Coder::Encoding ? this->Truth.GetTargetShared(3) : 0;
+    const auto target = Coder::Encoding ? this->Actual.GetTargetShared(3) : 0;
     const auto getRanks = [&](const Vec3x4& places, Float4 distances)
     {
       return Rule == Ranking::Sphere ? gate.GetSpheres(places)
@@ -369,7 +369,7 @@ private:
   }
 
   Coder& Symbols;
-  Side& Truth;
+  Side& Actual;
   const WalkInput Input;
   Topology& Out;
   FrontGrowth<Rule> Growth;

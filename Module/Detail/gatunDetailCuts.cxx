@@ -4,7 +4,7 @@
 
 #include "gatunDetailWeights.h"
 #include "gatunError.h"
-#include "gatunMergeWish.h"
+#include "gatunMergeSelection.h"
 #include "gatunParallel.h"
 
 #include <algorithm>
@@ -127,6 +127,6 @@ MergeCut DetailCuts::Choose(const DetailView& view, std::uint64_t points) const
 //------------------------------------------------------------------------------
 MergeCut DetailCuts::Do(const std::vector<float>& weights, double tolerance) const
 {
-  return { *this->Tree, *this->Dependencies, WantMerges(*this->Tree, weights, tolerance) };
+  return { *this->Tree, *this->Dependencies, SelectMerges(*this->Tree, weights, tolerance) };
 }
 }

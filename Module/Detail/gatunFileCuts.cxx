@@ -26,7 +26,7 @@ constexpr std::uint32_t None = std::numeric_limits<std::uint32_t>::max();
 }
 
 /** The points that no merge has, ascending. */
-std::vector<std::uint32_t> FindLoose(const MergeTree& tree)
+std::vector<std::uint32_t> FindUnmerged(const MergeTree& tree)
 {
   std::vector<bool> isMerged(tree.GetNumberOfPoints(), false);
   for (const Merge& merge : tree.GetMerges())
@@ -34,15 +34,15 @@ std::vector<std::uint32_t> FindLoose(const MergeTree& tree)
     isMerged[merge.Point] = true;
     isMerged[merge.Into] = true;
   }
-  std::vector<std::uint32_t> loose;
+  std::vector<std::uint32_t> unmerged;
   for (std::uint32_t point = 0; point < isMerged.size(); ++point)
   {
     if (!isMerged[point])
     {
-      loose.push_back(point);
+      unmerged.push_back(point);
     }
   }
-  return loose;
+  return unmerged;
 }
 
 /** For each point of a tree, the point of a base mesh that it is merged into; the number of points
@@ -141,7 +141,7 @@ FileCuts::FileCuts(std::vector<Base> bases, std::shared_ptr<const MergeDependenc
   }
   for (Level& level : this->Levels)
   {
-    level.Loose = FindLoose(*level.Of.Tree);
+    level.Unmerged = FindUnmerged(*level.Of.Tree);
   }
   const Base& coarsest = this->Levels.back().Of;
   const auto count = coarsest.Tree->GetNumberOfPoints();
@@ -163,7 +163,7 @@ FileCuts::FileCuts(std::vector<Base> bases, std::shared_ptr<const MergeDependenc
   const FileReader& file = *this->Levels.front().Of.Chunks->GetFile();
   this->Cuts = std::make_unique<DetailCuts>(this->Levels.front().Of.Tree, std::move(dependencies),
     file.GetNumberOfPoints(), FindPlaces(*coarsest.Chunks, progress), std::move(placeOf),
-    this->Levels.back().Loose, GetDiagonal(file.GetBounds()));
+    this->Levels.back().Unmerged, GetDiagonal(file.GetBounds()));
 }
 
 FileCuts::~FileCuts() = default;
@@ -197,12 +197,12 @@ std::vector<std::vector<bool>> FileCuts::FindTooCoarse(const MergeCut& cut) cons
         coarse[next[tree.GetMerges()[merge - first].Point]] = true;
       }
     }
-    // What is loose stays so.
+    // Points without merges stay.
     if (fine.back())
     {
       coarse.back() = true;
     }
-    for (const auto point : this->Levels[i + 1].Loose)
+    for (const auto point : this->Levels[i + 1].Unmerged)
     {
       coarse[point] = coarse.back();
     }

@@ -64,10 +64,10 @@ private:
   {
     Base Of;
     std::vector<std::uint32_t> Next; // for each point, that of the next base mesh it is merged into
-    std::vector<std::uint32_t> Loose; // points without merges
+    std::vector<std::uint32_t> Unmerged; // points without merges
   };
 
-  /** For each level, whether points are too coarse; and one more, for all that are loose. */
+  /** For each level, whether points are too coarse; and one more, for all points without merges. */
   std::vector<std::vector<bool>> FindTooCoarse(const MergeCut& cut) const;
 
   std::vector<Level> Levels;

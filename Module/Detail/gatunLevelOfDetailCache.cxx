@@ -50,16 +50,16 @@ struct Level
 class LevelOfDetailCache::Internals
 {
 public:
-  Internals(MakeLevels makeLevels, std::shared_ptr<RaySource> whole, const Room& room)
+  Internals(MakeLevels makeLevels, std::shared_ptr<RaySource> whole, const Limits& limits)
     : Maker(std::move(makeLevels))
     , Whole(std::move(whole))
-    , Space(room)
+    , Space(limits)
   {
   }
 
   const MakeLevels Maker;
   const std::shared_ptr<RaySource> Whole;
-  const Room Space;
+  const Limits Space;
   std::atomic<double> Done{ 0 }; // fraction, of finding the levels of detail
 
   mutable std::mutex Guard; // of all that follows
@@ -74,7 +74,7 @@ public:
   std::shared_ptr<const DetailView> PresentView; // that was requested last
   std::uint64_t Views = 0;                       // that have been requested
   bool MustStop = false;                         // working on that level
-  bool IsHeld = false;                           // the worker must not begin another level
+  bool IsPaused = false;                         // the worker must not begin another level
   bool IsDrawing = false;
   bool IsEnding = false;
 
@@ -117,14 +117,14 @@ public:
   Hold(Internals& self, std::unique_lock<std::mutex>& lock)
     : Self(self)
   {
-    self.IsHeld = true;
+    self.IsPaused = true;
     self.MustStop = true;
     self.Changed.notify_all();
     self.Changed.wait(lock, [&] { return !self.Now; });
   }
   ~Hold()
   {
-    this->Self.IsHeld = false;
+    this->Self.IsPaused = false;
     this->Self.Changed.notify_all();
   }
   Hold(const Hold&) = delete;
@@ -299,7 +299,7 @@ void LevelOfDetailCache::Internals::Work()
   for (;;)
   {
     this->Changed.wait(
-      lock, [&] { return this->IsEnding || (!this->IsHeld && !this->Wanted.empty()); });
+      lock, [&] { return this->IsEnding || (!this->IsPaused && !this->Wanted.empty()); });
     if (this->IsEnding)
     {
       return;
@@ -349,8 +349,8 @@ void LevelOfDetailCache::Internals::Work()
 
 //------------------------------------------------------------------------------
 LevelOfDetailCache::LevelOfDetailCache(
-  MakeLevels makeLevels, std::shared_ptr<RaySource> whole, const Room& room)
-  : Self(std::make_unique<Internals>(std::move(makeLevels), std::move(whole), room))
+  MakeLevels makeLevels, std::shared_ptr<RaySource> whole, const Limits& limits)
+  : Self(std::make_unique<Internals>(std::move(makeLevels), std::move(whole), limits))
 {
   Internals* const self = this->Self.get();
   self->Worker = std::thread(

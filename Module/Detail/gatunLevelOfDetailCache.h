@@ -32,14 +32,14 @@ public:
   using MakeLevels = std::function<std::shared_ptr<LevelsOfDetail>(const Progress& progress)>;
 
   /** Budgets in bytes. */
-  struct Room
+  struct Limits
   {
     std::uint64_t Whole = 0;   ///< for blocks of the whole mesh, which its source keeps
     std::uint64_t Simpler = 0; ///< for blocks of coarser levels
   };
 
   /** Whole: the source of the whole mesh. */
-  LevelOfDetailCache(MakeLevels makeLevels, std::shared_ptr<RaySource> whole, const Room& room);
+  LevelOfDetailCache(MakeLevels makeLevels, std::shared_ptr<RaySource> whole, const Limits& limits);
   ~LevelOfDetailCache();
   LevelOfDetailCache(const LevelOfDetailCache&) = delete;
   LevelOfDetailCache& operator=(const LevelOfDetailCache&) = delete;

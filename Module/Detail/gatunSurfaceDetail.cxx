@@ -10,7 +10,7 @@
 
 #include "gatunDetailWeights.h"
 #include "gatunError.h"
-#include "gatunMergeWish.h"
+#include "gatunMergeSelection.h"
 #include "gatunParallel.h"
 #include "gatunTypes.h"
 
@@ -403,7 +403,7 @@ MergeCut SurfaceDetail::Choose(const SurfaceDetailView& view, std::size_t first)
   {
     const double tolerance =
       points < all ? FindTolerance(tree, weights, static_cast<std::size_t>(all - points)) : 0;
-    std::vector<bool> wanted = WantMerges(tree, weights, std::max(tolerance, view.PixelError));
+    std::vector<bool> wanted = SelectMerges(tree, weights, std::max(tolerance, view.PixelError));
     std::fill_n(wanted.begin(), std::min(first, wanted.size()), true);
     return MergeCut(tree, *this->Dependencies, std::move(wanted));
   };

@@ -17,23 +17,23 @@
 
 namespace gatun
 {
-/** The numbers of points and living cells of a time step. */
-struct LivingCounts
+/** The numbers of points and remaining cells of a time step. */
+struct RemainingCounts
 {
-  bool DropsPoints = false;         ///< whether points of no living cell are left out
-  std::uint64_t Cells = 0;          ///< living ones
+  bool DropsPoints = false;         ///< whether points of no remaining cell are left out
+  std::uint64_t Cells = 0;          ///< remaining ones
   std::uint64_t Points = 0;         ///< that time steps have
-  std::vector<CellTypeCount> Types; ///< of the living cells, as many as the mesh has
+  std::vector<CellTypeCount> Types; ///< of the remaining cells, as many as the mesh has
 
-  bool operator==(const LivingCounts&) const = default;
+  bool operator==(const RemainingCounts&) const = default;
 };
 
 /** Which cells of a mesh are alive, in the order of the file. */
-struct CellMask : LivingCounts
+struct CellMask : RemainingCounts
 {
   std::vector<bool> IsAlive; ///< one for each cell of the mesh
 
-  /** The number of living cells among some that follow each other. */
+  /** The number of remaining cells among some that follow each other. */
   std::uint64_t Count(std::uint64_t first, std::uint64_t cells) const;
 
   /** The memory that it takes. */
@@ -41,8 +41,8 @@ struct CellMask : LivingCounts
 
   bool operator==(const CellMask&) const = default;
 
-  /** Stores the difference to the mask before, or to a mask of living cells if that is shorter or
-   * before is null. hasTypes: whether the mesh has other cells than tetrahedra. */
+  /** Stores the difference to the mask before, or to a mask of remaining cells if that is shorter
+   * or before is null. hasTypes: whether the mesh has other cells than tetrahedra. */
   Bytes Write(const CellMask* before, bool hasTypes) const;
 
   /** Whether a stored mask needs the one before. */

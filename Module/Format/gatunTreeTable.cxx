@@ -15,7 +15,7 @@ namespace
 std::vector<std::uint32_t> GetAscending(ByteReader& in, std::uint32_t most)
 {
   std::vector<std::uint32_t> numbers(in.GetCount(1));
-  Check(numbers.size() <= TreeTable::MaxRungs, "there are too many rungs or levels");
+  Check(numbers.size() <= TreeTable::MaxMergeCounts, "there are too many merge counts or levels");
   std::uint32_t last = 0;
   for (auto& number : numbers)
   {
@@ -50,10 +50,10 @@ Bytes TreeTable::Write() const
   ByteWriter out;
   out.PutVarint(this->Merges);
   PutStream(out, this->Stream);
-  PutMergeNumbers(out, this->Rungs);
-  for (const auto& rungs : this->Boxes)
+  PutMergeNumbers(out, this->MergeCounts);
+  for (const auto& mergeCounts : this->Boxes)
   {
-    for (const Bounds& box : rungs)
+    for (const Bounds& box : mergeCounts)
     {
       for (const Range& range : box)
       {
@@ -77,15 +77,15 @@ TreeTable TreeTable::Read(std::span<const std::uint8_t> bytes, const MetaTable& 
   Check(tree.Merges <= CountMergeablePoints(meta, isSurface), "there are more merges than points");
   tree.Stream = GetStream(in);
   Check((tree.Merges > 0) == (tree.Stream.Length > 0), "the merges have no stream");
-  tree.Rungs = GetAscending(in, tree.Merges);
-  Check(tree.Merges == 0 || (!tree.Rungs.empty() && tree.Rungs.back() == tree.Merges),
-    "the last rung is not that of all merges");
-  Check(numberOfChunks * tree.Rungs.size() <= in.GetRemaining() / (3 * RangeBytes),
+  tree.MergeCounts = GetAscending(in, tree.Merges);
+  Check(tree.Merges == 0 || (!tree.MergeCounts.empty() && tree.MergeCounts.back() == tree.Merges),
+    "the last merge count is not that of all merges");
+  Check(numberOfChunks * tree.MergeCounts.size() <= in.GetRemaining() / (3 * RangeBytes),
     "the bounds of chunks after merges are not all there");
-  tree.Boxes.assign(numberOfChunks, std::vector<Bounds>(tree.Rungs.size()));
-  for (auto& rungs : tree.Boxes)
+  tree.Boxes.assign(numberOfChunks, std::vector<Bounds>(tree.MergeCounts.size()));
+  for (auto& mergeCounts : tree.Boxes)
   {
-    for (Bounds& box : rungs)
+    for (Bounds& box : mergeCounts)
     {
       for (Range& range : box)
       {
@@ -99,10 +99,11 @@ TreeTable TreeTable::Read(std::span<const std::uint8_t> bytes, const MetaTable& 
 }
 
 //------------------------------------------------------------------------------
-std::size_t TreeTable::FindRung(std::size_t merges) const
+std::size_t TreeTable::FindMergeCount(std::size_t merges) const
 {
   return static_cast<std::size_t>(
-    std::lower_bound(this->Rungs.begin(), this->Rungs.end(), merges) - this->Rungs.begin());
+    std::lower_bound(this->MergeCounts.begin(), this->MergeCounts.end(), merges) -
+    this->MergeCounts.begin());
 }
 
 //------------------------------------------------------------------------------
@@ -111,9 +112,9 @@ Bytes TreeStepTable::Write() const
   ByteWriter out;
   for (const auto& chunks : this->Ranges)
   {
-    for (const auto& rungs : chunks)
+    for (const auto& mergeCounts : chunks)
     {
-      for (const ArrayRanges& ranges : rungs)
+      for (const ArrayRanges& ranges : mergeCounts)
       {
         for (const Range& range : ranges)
         {
@@ -140,13 +141,13 @@ TreeStepTable TreeStepTable::Read(std::span<const std::uint8_t> bytes, const Met
       continue;
     }
     const auto count = GetRangeCount(array.Components);
-    Check(numberOfChunks * tree.Rungs.size() <= in.GetRemaining() / (count * RangeBytes),
+    Check(numberOfChunks * tree.MergeCounts.size() <= in.GetRemaining() / (count * RangeBytes),
       "the ranges of chunks after merges are not all there");
     chunks.assign(numberOfChunks, {});
-    for (auto& rungs : chunks)
+    for (auto& mergeCounts : chunks)
     {
-      rungs.assign(tree.Rungs.size(), ArrayRanges(count));
-      for (ArrayRanges& ranges : rungs)
+      mergeCounts.assign(tree.MergeCounts.size(), ArrayRanges(count));
+      for (ArrayRanges& ranges : mergeCounts)
       {
         for (Range& range : ranges)
         {

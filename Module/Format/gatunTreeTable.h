@@ -23,15 +23,16 @@ std::uint32_t CountMergeablePoints(const MetaTable& meta, bool isSurface);
 /** The merge tree and the bounds of chunks after merges. */
 struct TreeTable
 {
-  static constexpr std::size_t MaxRungs = 64;
+  static constexpr std::size_t MaxMergeCounts = 64;
 
   std::uint32_t Merges = 0;
   StreamRef Stream;
 
   /** Numbers of merges, ascending. The last one is the number of all merges. */
-  std::vector<std::uint32_t> Rungs;
+  std::vector<std::uint32_t> MergeCounts;
 
-  /** For each chunk and rung, the bounds of its points after any number of merges up to the rung.
+  /** For each chunk and merge count, the bounds of its points after any number of merges up to the
+   * merge count.
    */
   std::vector<std::vector<Bounds>> Boxes;
 
@@ -42,14 +43,14 @@ struct TreeTable
   static TreeTable Read(std::span<const std::uint8_t> bytes, const MetaTable& meta,
     std::size_t numberOfChunks, bool isSurface = false);
 
-  /** The first rung that is not below a number of merges. */
-  std::size_t FindRung(std::size_t merges) const;
+  /** The first merge count that is not below a number of merges. */
+  std::size_t FindMergeCount(std::size_t merges) const;
 };
 
 /** The ranges of point arrays after merges, at one time step. */
 struct TreeStepTable
 {
-  /** For each point array (none for cell arrays), chunk and rung. */
+  /** For each point array (none for cell arrays), chunk and merge count. */
   std::vector<std::vector<std::vector<ArrayRanges>>> Ranges;
 
   Bytes Write() const;

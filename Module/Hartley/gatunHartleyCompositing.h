@@ -65,7 +65,7 @@ GATUN_INLINE void AddTo(float* to, const Float8& value)
 
 //------------------------------------------------------------------------------
 template <HartleyOpacityModel Model, std::size_t Colors>
-inline void AddColors(const HartleyLaw& law, const float* image, const float* unit,
+inline void AddColors(const HartleyOpacity& opacities, const float* image, const float* unit,
   std::size_t count, float* planes, std::size_t plane)
 {
   constexpr bool exponential = Model == HartleyOpacityModel::Exponential;
@@ -79,18 +79,21 @@ inline void AddColors(const HartleyLaw& law, const float* image, const float* un
     if constexpr (exponential)
     {
       // Equation 6: the opacity does not depend on the mean.
-      depth = Splat8(law.Extinction) * Larger(first + samples * Splat8(law.Zero), Float8{});
+      depth =
+        Splat8(opacities.Extinction) * Larger(first + samples * Splat8(opacities.Zero), Float8{});
       counts &= depth > Float8{};
     }
     if (ToBits(counts) == 0)
     {
       continue;
     }
-    const Float8 mean = first / (counts ? samples : one) + Splat8(law.Base);
-    const Float8 clamped = Smaller(Larger(mean, Splat8(law.Least)), Splat8(law.Most));
-    const Float8 at = (clamped - Splat8(law.First)) * Splat8(law.PerDensity) + Splat8(0.5f);
+    const Float8 mean = first / (counts ? samples : one) + Splat8(opacities.Base);
+    const Float8 clamped = Smaller(Larger(mean, Splat8(opacities.Least)), Splat8(opacities.Most));
+    const Float8 at =
+      (clamped - Splat8(opacities.First)) * Splat8(opacities.PerDensity) + Splat8(0.5f);
     const Int8 entry = __builtin_convertvector(
-      Smaller(Larger(at, Float8{}), Splat8(static_cast<float>(HartleyLaw::TableSize - 1))), Int8);
+      Smaller(Larger(at, Float8{}), Splat8(static_cast<float>(HartleyOpacity::TableSize - 1))),
+      Int8);
     float* const last = planes + Colors * plane + i;
     const Float8 behind = Load<Float8>(last);
     Float8 weight;
@@ -104,7 +107,8 @@ inline void AddColors(const HartleyLaw& law, const float* image, const float* un
     else
     {
       // Equation 7: 1 - (1 - O)^n.
-      depth = counts ? samples * Gather(law.Table + Colors * HartleyLaw::TableSize, entry) : depth;
+      depth = counts ? samples * Gather(opacities.Table + Colors * HartleyOpacity::TableSize, entry)
+                     : depth;
       weight = (one - behind) * ToShade(depth).Opacity;
       Store(last, behind + weight);
     }
@@ -112,7 +116,7 @@ inline void AddColors(const HartleyLaw& law, const float* image, const float* un
     for (std::size_t color = 0; color < Colors; ++color)
     {
       AddTo(planes + color * plane + i,
-        weight * Gather(law.Table + color * HartleyLaw::TableSize, entry));
+        weight * Gather(opacities.Table + color * HartleyOpacity::TableSize, entry));
     }
   }
 }
@@ -132,21 +136,23 @@ inline void AddSums(
   }
 }
 
-inline void AddBlock(const HartleyLaw& law, const float* image, const float* unit,
+inline void AddBlock(const HartleyOpacity& opacities, const float* image, const float* unit,
   std::size_t count, float* planes, std::size_t plane)
 {
   constexpr auto exponential = HartleyOpacityModel::Exponential;
   constexpr auto transfer = HartleyOpacityModel::TransferFunction;
-  switch (law.Model)
+  switch (opacities.Model)
   {
     case HartleyOpacityModel::XRay:
       return AddSums(image, unit, count, planes, plane);
     case exponential:
-      return law.Planes == 2 ? AddColors<exponential, 1>(law, image, unit, count, planes, plane)
-                             : AddColors<exponential, 3>(law, image, unit, count, planes, plane);
+      return opacities.Planes == 2
+        ? AddColors<exponential, 1>(opacities, image, unit, count, planes, plane)
+        : AddColors<exponential, 3>(opacities, image, unit, count, planes, plane);
     case transfer:
-      return law.Planes == 2 ? AddColors<transfer, 1>(law, image, unit, count, planes, plane)
-                             : AddColors<transfer, 3>(law, image, unit, count, planes, plane);
+      return opacities.Planes == 2
+        ? AddColors<transfer, 1>(opacities, image, unit, count, planes, plane)
+        : AddColors<transfer, 3>(opacities, image, unit, count, planes, plane);
   }
 }
 
@@ -314,21 +320,21 @@ inline void AddRow(
   }
 }
 
-inline void AddSlab(const HartleyLaw& law, const HartleyPlanes& slab, const HartleyRow& row,
-  float* pixels, std::size_t plane)
+inline void AddSlab(const HartleyOpacity& opacities, const HartleyPlanes& slab,
+  const HartleyRow& row, float* pixels, std::size_t plane)
 {
   constexpr auto exponential = HartleyOpacityModel::Exponential;
   constexpr auto transfer = HartleyOpacityModel::TransferFunction;
-  switch (law.Model)
+  switch (opacities.Model)
   {
     case HartleyOpacityModel::XRay:
       return AddRow<HartleyOpacityModel::XRay, 1>(slab, row, pixels, plane);
     case exponential:
-      return law.Planes == 2 ? AddRow<exponential, 1>(slab, row, pixels, plane)
-                             : AddRow<exponential, 3>(slab, row, pixels, plane);
+      return opacities.Planes == 2 ? AddRow<exponential, 1>(slab, row, pixels, plane)
+                                   : AddRow<exponential, 3>(slab, row, pixels, plane);
     case transfer:
-      return law.Planes == 2 ? AddRow<transfer, 1>(slab, row, pixels, plane)
-                             : AddRow<transfer, 3>(slab, row, pixels, plane);
+      return opacities.Planes == 2 ? AddRow<transfer, 1>(slab, row, pixels, plane)
+                                   : AddRow<transfer, 3>(slab, row, pixels, plane);
   }
 }
 }

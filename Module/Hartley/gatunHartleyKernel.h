@@ -55,7 +55,7 @@ struct HartleyTap
 /** How densities become colors. The planes of channels are those of the colors, of which there is
  * one if all are gray, and that of the opacity or, in the exponential model, the optical depth. The
  * planes of an X-ray are the sum of the densities and the number of samples. */
-struct HartleyLaw
+struct HartleyOpacity
 {
   static constexpr std::size_t TableSize = 4096;
 
@@ -111,12 +111,12 @@ struct HartleyKernelLoops
   /** Composites count points of a block behind those of a slab. Image: the integrals of the
    * densities minus the base value, or null if they are 0; unit: of ones, and 0 from count to the
    * next multiple of 8. All arrays may be accessed up to there. */
-  void (*AddBlock)(const HartleyLaw& law, const float* image, const float* unit, std::size_t count,
-    float* planes, std::size_t plane);
+  void (*AddBlock)(const HartleyOpacity& opacities, const float* image, const float* unit,
+    std::size_t count, float* planes, std::size_t plane);
 
   /** Interpolates a slab at pixels, by cubic convolution, and composites it behind them. The last
    * plane of the pixels is their transmittance. */
-  void (*AddSlab)(const HartleyLaw& law, const HartleyPlanes& slab, const HartleyRow& row,
+  void (*AddSlab)(const HartleyOpacity& opacities, const HartleyPlanes& slab, const HartleyRow& row,
     float* pixels, std::size_t plane);
 };
 

@@ -23,39 +23,41 @@ bool IsGray(const HartleyShading& shading)
 //------------------------------------------------------------------------------
 HartleyLookup::HartleyLookup(const HartleyShading& shading, double base, const Range& range)
 {
-  auto& law = this->Law;
-  law.Model = shading.OpacityModel;
-  if (law.Model == HartleyOpacityModel::XRay)
+  auto& opacities = this->Opacity;
+  opacities.Model = shading.OpacityModel;
+  if (opacities.Model == HartleyOpacityModel::XRay)
   {
     return;
   }
-  law.Planes = IsGray(shading) ? 2 : 4;
-  law.Base = static_cast<float>(base);
-  law.Least = static_cast<float>(range.Min);
-  law.Most = static_cast<float>(range.Max);
-  law.First = static_cast<float>(shading.First);
+  opacities.Planes = IsGray(shading) ? 2 : 4;
+  opacities.Base = static_cast<float>(base);
+  opacities.Least = static_cast<float>(range.Min);
+  opacities.Most = static_cast<float>(range.Max);
+  opacities.First = static_cast<float>(shading.First);
   const double width = shading.Last - shading.First;
-  law.PerDensity = width > 0 ? static_cast<float>((HartleyLaw::TableSize - 1) / width) : 0.0f;
-  law.Extinction = static_cast<float>(shading.Extinction);
-  law.Zero = static_cast<float>(base - shading.Zero);
+  opacities.PerDensity =
+    width > 0 ? static_cast<float>((HartleyOpacity::TableSize - 1) / width) : 0.0f;
+  opacities.Extinction = static_cast<float>(shading.Extinction);
+  opacities.Zero = static_cast<float>(base - shading.Zero);
   this->MakeTable(shading);
-  if (law.Model == HartleyOpacityModel::Exponential)
+  if (opacities.Model == HartleyOpacityModel::Exponential)
   {
     this->BaseClear = shading.Extinction * (base - shading.Zero) <= 0;
     return;
   }
-  const float at = (law.Base - law.First) * law.PerDensity + 0.5f;
-  const auto entry =
-    static_cast<std::size_t>(std::clamp(at, 0.0f, static_cast<float>(HartleyLaw::TableSize - 1)));
-  this->BaseClear = law.Table[(law.Planes - 1) * HartleyLaw::TableSize + entry] <= 0;
+  const float at = (opacities.Base - opacities.First) * opacities.PerDensity + 0.5f;
+  const auto entry = static_cast<std::size_t>(
+    std::clamp(at, 0.0f, static_cast<float>(HartleyOpacity::TableSize - 1)));
+  this->BaseClear =
+    opacities.Table[(opacities.Planes - 1) * HartleyOpacity::TableSize + entry] <= 0;
 }
 
 //------------------------------------------------------------------------------
 void HartleyLookup::MakeTable(const HartleyShading& shading)
 {
-  constexpr std::size_t size = HartleyLaw::TableSize;
-  const std::size_t colors = this->Law.Planes - 1;
-  this->Table.resize(this->Law.Planes * size);
+  constexpr std::size_t size = HartleyOpacity::TableSize;
+  const std::size_t colors = this->Opacity.Planes - 1;
+  this->Table.resize(this->Opacity.Planes * size);
   for (std::size_t i = 0; i < size; ++i)
   {
     const double at =
@@ -72,6 +74,6 @@ void HartleyLookup::MakeTable(const HartleyShading& shading)
     const double opacity = std::clamp(static_cast<double>(mix(3)), 0.0, MostOpacity);
     this->Table[colors * size + i] = static_cast<float>(-std::log1p(-opacity));
   }
-  this->Law.Table = this->Table.data();
+  this->Opacity.Table = this->Table.data();
 }
 }

@@ -17,7 +17,7 @@ class HartleyLookup
 public:
   HartleyLookup(const HartleyShading& shading, double base, const Range& range);
 
-  const HartleyLaw& GetLaw() const { return this->Law; }
+  const HartleyOpacity& GetOpacity() const { return this->Opacity; }
 
   /** Whether blocks whose voxels all have the base value are transparent. */
   bool IsBaseClear() const { return this->BaseClear; }
@@ -25,7 +25,7 @@ public:
 private:
   void MakeTable(const HartleyShading& shading);
 
-  HartleyLaw Law;
+  HartleyOpacity Opacity;
   bool BaseClear = false;
   std::vector<float> Table;
 };

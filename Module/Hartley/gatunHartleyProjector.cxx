@@ -330,7 +330,7 @@ public:
     this->Image.Width = view.Width;
     this->Image.Height = view.Height;
     this->Image.Method = data.GetMethod();
-    const std::size_t planes = this->Lookup.GetLaw().Planes;
+    const std::size_t planes = this->Lookup.GetOpacity().Planes;
     const std::size_t plane = std::size_t{ view.Width } * view.Height;
     this->Pixels.assign(planes * plane, 0);
     if (!this->IsXRay)
@@ -358,7 +358,7 @@ public:
     {
       return true;
     }
-    this->Slab.Start(this->Lattice, first, end, middle, this->Lookup.GetLaw().Planes);
+    this->Slab.Start(this->Lattice, first, end, middle, this->Lookup.GetOpacity().Planes);
     this->ListPlaces(first, end, along);
     this->LoadTerms();
     const std::size_t width = end[0] - first[0];
@@ -369,7 +369,7 @@ public:
       const std::size_t count = std::min(this->Places.size() - from, rowsAtOnce * width);
       this->DrawBatch(std::span(this->Places).subspan(from, count));
     }
-    return this->Slab.AddTo(this->Lattice, this->View, this->Lookup.GetLaw(), this->Pixels) ||
+    return this->Slab.AddTo(this->Lattice, this->View, this->Lookup.GetOpacity(), this->Pixels) ||
       this->IsXRay;
   }
 
@@ -384,7 +384,7 @@ public:
       FinishHartleyXRay(shading, this->Data.Source->GetBase(), this->Image);
       return std::move(this->Image);
     }
-    const std::size_t colors = this->Lookup.GetLaw().Planes - 1;
+    const std::size_t colors = this->Lookup.GetOpacity().Planes - 1;
     const std::size_t green = colors > 1 ? plane : 0;
     this->Image.Colors.resize(plane);
     for (std::size_t i = 0; i < plane; ++i)
@@ -461,7 +461,7 @@ private:
     }
     this->Image.Blocks += this->Parts.size();
     Paint(*this->Data.Painter, this->Tasks);
-    this->Slab.Add(this->Lattice, this->Lookup.GetLaw(), this->Parts);
+    this->Slab.Add(this->Lattice, this->Lookup.GetOpacity(), this->Parts);
   }
 
   Internals& Data;
@@ -473,7 +473,7 @@ private:
   std::array<std::uint32_t, 3> Counts{};    // of blocks, along the lattice's axes
   std::array<bool, 2> Descending{};         // whether rays meet blocks of high indices first
   HartleyImage Image;
-  std::vector<float> Pixels; // planes of the law
+  std::vector<float> Pixels; // planes of the opacity model
 
   // Reused from slab to slab.
   HartleySlab Slab;

@@ -132,7 +132,7 @@ std::array<std::size_t, 2> HartleySlab::GetCorner(
 
 //------------------------------------------------------------------------------
 void HartleySlab::Add(
-  const HartleyLattice& lattice, const HartleyLaw& law, std::span<const Part> parts)
+  const HartleyLattice& lattice, const HartleyOpacity& opacities, std::span<const Part> parts)
 {
   constexpr std::size_t rowsAtOnce = 8;
   std::size_t top = this->Points[1];
@@ -161,7 +161,7 @@ void HartleySlab::Add(
         for (std::size_t row = std::max(begin, corner[1]); row < last; ++row)
         {
           const std::size_t line = row - corner[1];
-          kernel.AddBlock(law, part.Image ? part.Image + line * lattice.Points[0] : nullptr,
+          kernel.AddBlock(opacities, part.Image ? part.Image + line * lattice.Points[0] : nullptr,
             part.Unit + line * RoundUp(lattice.Points[0]), lattice.Points[0],
             this->Values.data() + row * this->Stride + corner[0], this->GetPlane());
         }
@@ -171,7 +171,7 @@ void HartleySlab::Add(
 
 //------------------------------------------------------------------------------
 bool HartleySlab::AddTo(const HartleyLattice& lattice, const HartleyView& view,
-  const HartleyLaw& law, std::vector<float>& pixels) const
+  const HartleyOpacity& opacities, std::vector<float>& pixels) const
 {
   constexpr unsigned rowsAtOnce = 4;
   const auto origin = lattice.Project(view.Origin);
@@ -205,7 +205,7 @@ bool HartleySlab::AddTo(const HartleyLattice& lattice, const HartleyView& view,
         {
           if (from < to)
           {
-            kernel.AddSlab(law, planes,
+            kernel.AddSlab(opacities, planes,
               { start[0] + from * step[0], start[1] + from * step[1], step[0], step[1],
                 static_cast<std::size_t>(to - from) },
               pixelsOfRow + static_cast<std::size_t>(from), plane);
@@ -225,7 +225,7 @@ bool HartleySlab::AddTo(const HartleyLattice& lattice, const HartleyView& view,
           }
         }
         add(from, end);
-        const float* const through = pixelsOfRow + (law.Planes - 1) * plane;
+        const float* const through = pixelsOfRow + (opacities.Planes - 1) * plane;
         isClear = isClear ||
           std::any_of(through, through + view.Width, [](float one) { return one > Opaque; });
       }

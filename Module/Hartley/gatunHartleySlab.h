@@ -46,12 +46,13 @@ struct HartleySlab
   };
 
   /** Composites blocks, given from front to back, behind the present content. */
-  void Add(const HartleyLattice& lattice, const HartleyLaw& law, std::span<const Part> parts);
+  void Add(
+    const HartleyLattice& lattice, const HartleyOpacity& opacities, std::span<const Part> parts);
 
-  /** Composites the slab behind the content of an image, whose planes are those of the law.
-   * Returns whether a pixel is not opaque afterwards. */
-  bool AddTo(const HartleyLattice& lattice, const HartleyView& view, const HartleyLaw& law,
-    std::vector<float>& pixels) const;
+  /** Composites the slab behind the content of an image, whose planes are those of the opacity
+   * model. Returns whether a pixel is not opaque afterwards. */
+  bool AddTo(const HartleyLattice& lattice, const HartleyView& view,
+    const HartleyOpacity& opacities, std::vector<float>& pixels) const;
 
 private:
   std::array<std::size_t, 2> GetCorner(

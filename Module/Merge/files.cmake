@@ -10,7 +10,7 @@ gatun_core_folder(Merge
     gatunMergeCut.h
     gatunMergeDependencies.h
     gatunMergeInput.h
-    gatunMergeWish.h
+    gatunMergeSelection.h
     gatunSurfaceMergeBuilder.h
   PRIVATE_HEADERS
     gatunDependencyCheck.h
@@ -53,7 +53,7 @@ gatun_core_folder(Merge
     gatunMergeStar.cxx
     gatunMergeTree.cxx
     gatunMergeTriangles.cxx
-    gatunMergeWish.cxx
+    gatunMergeSelection.cxx
     gatunSurfaceCosts.cxx
     gatunSurfaceMergeBuilder.cxx
     gatunSurfaceQuadrics.cxx)

@@ -5,7 +5,7 @@
 
 #include "gatunCellShapes.h"
 #include "gatunCellSides.h"
-#include "gatunMarkTruth.h"
+#include "gatunEncoderMarks.h"
 #include "gatunVertexHash.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 
 #include "gatunCellNodes.h"
 #include "gatunCellShapes.h"
-#include "gatunMarkTruth.h"
+#include "gatunEncoderMarks.h"
 #include "gatunMeshAccess.h"
 
 #include <algorithm>

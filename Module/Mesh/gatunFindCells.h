@@ -21,7 +21,7 @@ struct FoundCells
   bool DropsPoints = false;
   bool HaveMoved = false; ///< whether points are elsewhere
 
-  LivingCells GetLiving() const { return { this->Cells, this->DropsPoints, this->Points }; }
+  RemainingCells GetRemaining() const { return { this->Cells, this->DropsPoints, this->Points }; }
 };
 
 /**

@@ -43,11 +43,12 @@ struct MeshInput
 
 /** The cells of a MeshInput that a time step has, if some have died since the first step with the
  * mesh. Dead cells may come back. */
-struct LivingCells
+struct RemainingCells
 {
-  std::span<const std::uint64_t> Cells; ///< the numbers of the living cells, ascending
+  std::span<const std::uint64_t> Cells; ///< the numbers of the remaining cells, ascending
 
-  /** Whether the step has only points of living cells. Otherwise it has all points of the mesh. */
+  /** Whether the step has only points of remaining cells. Otherwise it has all points of the mesh.
+   */
   bool DropsPoints = false;
   std::span<const std::uint64_t> Points; ///< then their numbers, ascending
 };

@@ -249,18 +249,18 @@ const std::string& FileReader::GetPath() const
 
 std::uint64_t FileReader::GetNumberOfPoints() const
 {
-  return this->Living ? this->Living->Points : this->Self->Meta.Points;
+  return this->Remaining ? this->Remaining->Points : this->Self->Meta.Points;
 }
 
 std::uint64_t FileReader::GetNumberOfCells() const
 {
-  return this->Living ? this->Living->Cells : this->Self->GetTables().GetNumberOfCells();
+  return this->Remaining ? this->Remaining->Cells : this->Self->GetTables().GetNumberOfCells();
 }
 
 //------------------------------------------------------------------------------
 std::uint64_t FileReader::GetNumberOfTets() const
 {
-  return this->Living ? this->MaskedTets : this->Self->Meta.Tets;
+  return this->Remaining ? this->MaskedTets : this->Self->Meta.Tets;
 }
 
 //------------------------------------------------------------------------------
@@ -278,7 +278,7 @@ bool FileReader::IsSurface() const
 //------------------------------------------------------------------------------
 const std::vector<CellTypeCount>& FileReader::GetCellTypes() const
 {
-  return this->Living ? this->Living->Types : this->Self->CellTypes;
+  return this->Remaining ? this->Remaining->Types : this->Self->CellTypes;
 }
 
 std::uint64_t FileReader::GetNumberOfSharedPoints() const
@@ -382,7 +382,7 @@ const std::vector<double>& FileReader::GetTimes() const
 
 const std::vector<ChunkInfo>& FileReader::GetChunks() const
 {
-  return this->Living ? this->MaskedChunks : this->Self->GetTables().GetChunks();
+  return this->Remaining ? this->MaskedChunks : this->Self->GetTables().GetChunks();
 }
 
 const ArrayRanges& FileReader::GetRanges(std::size_t array, std::size_t step) const

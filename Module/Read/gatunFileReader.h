@@ -18,7 +18,7 @@
 namespace gatun
 {
 struct CellMask;
-struct LivingCounts;
+struct RemainingCounts;
 struct Quantizer;
 
 class MergeDependencies;
@@ -195,7 +195,7 @@ private:
 
   // If some cells are left out.
   std::uint32_t Mask = 0;
-  std::shared_ptr<const LivingCounts> Living;
+  std::shared_ptr<const RemainingCounts> Remaining;
   std::vector<ChunkInfo> MaskedChunks;
   std::uint64_t MaskedTets = 0;
 };

@@ -73,7 +73,7 @@ bool FileReader::Internals::HasStepsOf(
 //------------------------------------------------------------------------------
 CellMask FileReader::Internals::ReadMask(std::size_t mask) const
 {
-  constexpr const char* maskName = "the table of living cells";
+  constexpr const char* maskName = "the table of remaining cells";
   const auto read = [&](std::size_t number, auto&& use)
   {
     const StreamRef& where = this->Masks.at(number - 1);
@@ -133,7 +133,7 @@ std::unique_ptr<FileReader::Internals> FileReader::Internals::MakeMesh(
 //------------------------------------------------------------------------------
 std::size_t FileReader::GetNumberOfMeshes() const
 {
-  return this->Living ? 1 : std::max<std::size_t>(this->Self->Kinds.size(), 1);
+  return this->Remaining ? 1 : std::max<std::size_t>(this->Self->Kinds.size(), 1);
 }
 
 //------------------------------------------------------------------------------
@@ -149,7 +149,7 @@ std::size_t FileReader::GetParentMesh(std::size_t mesh) const
 const std::vector<SeriesStep>& FileReader::GetSeries() const
 {
   static const std::vector<SeriesStep> none;
-  return this->Living ? none : this->Self->Series;
+  return this->Remaining ? none : this->Self->Series;
 }
 
 //------------------------------------------------------------------------------
@@ -192,7 +192,7 @@ void FileReader::SetMask(std::uint32_t mask)
 {
   const auto cells = this->Self->GetMask(mask);
   this->Mask = mask;
-  this->Living = std::make_shared<const LivingCounts>(*cells);
+  this->Remaining = std::make_shared<const RemainingCounts>(*cells);
   this->MaskedChunks = this->Self->GetTables().GetChunks();
   this->MaskedTets = 0;
   for (ChunkInfo& chunk : this->MaskedChunks)
@@ -211,6 +211,6 @@ void FileReader::SetMask(std::uint32_t mask)
 //------------------------------------------------------------------------------
 bool FileReader::HasAllCells() const
 {
-  return this->Living == nullptr;
+  return this->Remaining == nullptr;
 }
 }

@@ -19,14 +19,14 @@ constexpr const char* TreeStepName = "the ranges after merges";
 constexpr const char* MergesName = "the stream of merges";
 constexpr const char* DependenciesName = "the dependencies of merges";
 
-/** The rung of a number of merges. Throws if the file has fewer merges. */
-std::size_t FindRung(const FileReader::Internals& file, std::size_t merges)
+/** The merge count of a number of merges. Throws if the file has fewer merges. */
+std::size_t FindMergeCount(const FileReader::Internals& file, std::size_t merges)
 {
   if (merges > file.Tree->Merges)
   {
     ThrowInvalid("the file has fewer merges than that", file.File.GetPath());
   }
-  return file.Tree->FindRung(merges);
+  return file.Tree->FindMergeCount(merges);
 }
 }
 
@@ -175,7 +175,7 @@ const Bounds& FileReader::GetChunkBounds(std::size_t chunk, std::size_t merges) 
   {
     return this->GetChunks().at(chunk).Box;
   }
-  return this->Self->Tree->Boxes.at(chunk)[FindRung(*this->Self, merges)];
+  return this->Self->Tree->Boxes.at(chunk)[FindMergeCount(*this->Self, merges)];
 }
 
 //------------------------------------------------------------------------------
@@ -194,7 +194,7 @@ ArrayRanges FileReader::GetRangesAfter(
   {
     return this->Self->GetTables().GetChunkRanges(chunk, array, step);
   }
-  const auto& rungs = this->Self->TreeSteps.at(step).Ranges.at(array).at(chunk);
-  return rungs[FindRung(*this->Self, merges)];
+  const auto& mergeCounts = this->Self->TreeSteps.at(step).Ranges.at(array).at(chunk);
+  return mergeCounts[FindMergeCount(*this->Self, merges)];
 }
 }

@@ -226,7 +226,7 @@ void PieceDecoder::Internals::MarkPoints(unsigned char* ghosts, const Progress& 
     std::memset(ghosts, 0, own);
     return;
   }
-  // The lowest chunk that uses a point may have no living cell that does.
+  // The lowest chunk that uses a point may have no remaining cell that does.
   std::unique_ptr<ChunkSetDecoder> larger;
   std::vector<std::uint64_t> places;
   if (this->Request.GhostLevels == 0)

@@ -44,7 +44,8 @@ public:
 
   const PieceCells& GetMemory() const { return this->Memory; }
 
-  /** For each point of a larger set the lowest chunk with a living cell that uses it, or NoChunk.
+  /** For each point of a larger set the lowest chunk with a remaining cell that uses it, or
+   * NoChunk.
    */
   static constexpr std::uint32_t NoChunk = 0xffffffffu;
   static std::vector<std::uint32_t> FindOwners(

@@ -69,14 +69,14 @@ auto HoldBlocks(Get&& get)
 namespace
 {
 /** The tetrahedra of a chunk without those of cells that are not alive. */
-class LivingTets
+class RemainingTets
 {
 public:
   using Tets = std::vector<std::array<Vertex, 4>>;
   using Cells = std::vector<std::uint32_t>;
 
   /** cells: of which the tetrahedra are; null if each is one. */
-  LivingTets(const PartDecoder& parts, std::uint32_t chunk, const Tets& all, const Cells* cells)
+  RemainingTets(const PartDecoder& parts, std::uint32_t chunk, const Tets& all, const Cells* cells)
     : List(&all)
     , Parents(cells)
   {
@@ -98,8 +98,8 @@ public:
     this->List = &this->Left;
     this->Parents = &this->LeftCells;
   }
-  LivingTets(const LivingTets&) = delete;
-  LivingTets& operator=(const LivingTets&) = delete;
+  RemainingTets(const RemainingTets&) = delete;
+  RemainingTets& operator=(const RemainingTets&) = delete;
 
   const Tets& GetTets() const { return *this->List; }
 
@@ -268,9 +268,9 @@ SurfacePart ChunkSurface::Make(std::uint32_t chunk, const SurfaceOptions& option
   // Several tetrahedra may have the values of one cell.
   const bool isSplit = !this->Parts.GetFile()->GetChunks()[chunk].IsTetrahedral;
   const auto split = isSplit ? this->Parts.SplitCells(chunk, *mesh) : ChunkTets();
-  const LivingTets living(
+  const RemainingTets remaining(
     this->Parts, chunk, isSplit ? split.Tets : mesh->Walk.Tets, isSplit ? &split.Cells : nullptr);
-  const auto& tets = living.GetTets();
+  const auto& tets = remaining.GetTets();
   SurfaceInput input;
   input.Mesh.Points = mesh->Keys.size();
   input.Mesh.Connectivity = tets.data();
@@ -281,9 +281,9 @@ SurfacePart ChunkSurface::Make(std::uint32_t chunk, const SurfaceOptions& option
   {
     values.push_back(this->GetValues(chunk, *mesh, array));
     const auto where = this->Parts.Content().Meta.Arrays[array].Where;
-    if (living.GetCells() && where == Association::Cell)
+    if (remaining.GetCells() && where == Association::Cell)
     {
-      values.back().Select(*living.GetCells());
+      values.back().Select(*remaining.GetCells());
     }
     (where == Association::Point ? input.PointArrays : input.CellArrays)
       .push_back(values.back().View);

@@ -26,11 +26,11 @@ gatun_core_folder(Write
     gatunPageSection.h
     gatunPartAgreement.h
     gatunPartAssembly.h
-    gatunPartSkin.h
+    gatunPartBoundary.h
     gatunPartSurvey.h
     gatunPointNumbers.h
     gatunRoundedArrays.h
-    gatunSkinMerge.h
+    gatunBoundaryMerge.h
     gatunSpillSorter.h
     gatunStepSection.h
     gatunTreeLayout.h
@@ -49,12 +49,12 @@ gatun_core_folder(Write
     gatunPartAgreement.cxx
     gatunPartAssembly.cxx
     gatunPartExchange.cxx
-    gatunPartSkin.cxx
+    gatunPartBoundary.cxx
     gatunPartSurvey.cxx
     gatunPartWriter.cxx
     gatunPointNumbers.cxx
     gatunRoundedArrays.cxx
-    gatunSkinMerge.cxx
+    gatunBoundaryMerge.cxx
     gatunStepMotion.cxx
     gatunStepRounding.cxx
     gatunStepSection.cxx

@@ -21,7 +21,7 @@ std::vector<bool> MarkAll(
   {
     if (numbers[i] >= count || (i > 0 && numbers[i] <= numbers[i - 1]))
     {
-      ThrowInvalid(std::string("the numbers of living ") + what + " do not ascend");
+      ThrowInvalid(std::string("the numbers of remaining ") + what + " do not ascend");
     }
     marks[static_cast<std::size_t>(numbers[i])] = true;
   }
@@ -30,9 +30,9 @@ std::vector<bool> MarkAll(
 }
 
 //------------------------------------------------------------------------------
-CellSubset::CellSubset(const MeshAccess& mesh, const LivingCells& living)
-  : Cells(MarkAll(living.Cells, mesh.GetMesh().Cells, "cells"))
-  , DropsPoints(living.DropsPoints)
+CellSubset::CellSubset(const MeshAccess& mesh, const RemainingCells& remaining)
+  : Cells(MarkAll(remaining.Cells, mesh.GetMesh().Cells, "cells"))
+  , DropsPoints(remaining.DropsPoints)
 {
   const auto count = static_cast<std::size_t>(mesh.GetMesh().Points);
   if (!this->DropsPoints)
@@ -41,14 +41,14 @@ CellSubset::CellSubset(const MeshAccess& mesh, const LivingCells& living)
     return;
   }
   this->Points.assign(count, false);
-  for (const auto cell : living.Cells)
+  for (const auto cell : remaining.Cells)
   {
     mesh.ForEachPoint(
       cell, [&](std::uint64_t point) { this->Points[static_cast<std::size_t>(point)] = true; });
   }
-  if (this->Points != MarkAll(living.Points, mesh.GetMesh().Points, "points"))
+  if (this->Points != MarkAll(remaining.Points, mesh.GetMesh().Points, "points"))
   {
-    ThrowInvalid("the living points are not those of the living cells");
+    ThrowInvalid("the remaining points are not those of the remaining cells");
   }
 }
 
@@ -77,7 +77,7 @@ CellMask CellSubset::MakeMask(const WriterPart& part) const
   CellMask mask;
   mask.DropsPoints = this->DropsPoints;
   mask.IsAlive.reserve(this->Cells.size());
-  std::array<std::uint64_t, 256> living{};
+  std::array<std::uint64_t, 256> remaining{};
   std::array<bool, 256> isThere{};
   for (const auto& chunk : part.Chunks)
   {
@@ -86,15 +86,15 @@ CellMask CellSubset::MakeMask(const WriterPart& part) const
       const auto type = part.Mesh.GetType(cell);
       mask.IsAlive.push_back(this->Cells[cell]);
       isThere[type] = true;
-      living[type] += this->Cells[cell] ? 1 : 0;
+      remaining[type] += this->Cells[cell] ? 1 : 0;
     }
   }
-  for (std::size_t type = 0; type < living.size(); ++type)
+  for (std::size_t type = 0; type < remaining.size(); ++type)
   {
     if (isThere[type])
     {
-      mask.Types.push_back({ static_cast<std::uint8_t>(type), living[type] });
-      mask.Cells += living[type];
+      mask.Types.push_back({ static_cast<std::uint8_t>(type), remaining[type] });
+      mask.Cells += remaining[type];
     }
   }
   mask.Points =

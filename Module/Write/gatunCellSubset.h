@@ -17,13 +17,13 @@
 
 namespace gatun
 {
-/** The living cells of a mesh that is being written, and the points that a time step has. */
+/** The remaining cells of a mesh that is being written, and the points that a time step has. */
 class CellSubset
 {
 public:
   /** Throws Error(InvalidInput) unless numbers ascend and exist, and the points are those of the
    * cells. */
-  CellSubset(const MeshAccess& mesh, const LivingCells& living);
+  CellSubset(const MeshAccess& mesh, const RemainingCells& remaining);
 
   /** Whether each point or cell of the mesh is alive. */
   const std::vector<bool>& Get(Association where) const

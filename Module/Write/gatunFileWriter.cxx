@@ -95,12 +95,13 @@ public:
   void Begin(const Progress& progress);
   void WriteStep(std::span<const void* const> values, const FieldData& field, bool hasTime,
     double time, const Progress& progress, const std::vector<std::vector<Domain>>* rounded = {},
-    const CellSubset* living = nullptr);
+    const CellSubset* remaining = nullptr);
   std::uint32_t AddMesh(const MeshInput& mesh, const std::vector<ArrayDescription>& arrays,
     const WriterOptions& options, const Progress& progress);
   void UseMesh(std::uint32_t mesh);
   void WriteSeriesStep(std::span<const void* const> values, const FieldData& field, bool hasTime,
-    double time, const Progress& progress, const void* coordinates, const LivingCells* living);
+    double time, const Progress& progress, const void* coordinates,
+    const RemainingCells* remaining);
   FileStatistics Finish();
 
 private:
@@ -127,8 +128,8 @@ private:
   void CheckLayers(const StepTable& step) const;
   void EndOther();
   std::uint32_t WriteMask(CellMask mask);
-  void WriteLiving(std::span<const void* const> values, const FieldData& field, double time,
-    const Progress& progress, const LivingCells& living, StoredStep& stored);
+  void WriteRemaining(std::span<const void* const> values, const FieldData& field, double time,
+    const Progress& progress, const RemainingCells& remaining, StoredStep& stored);
   void Complete();
   void WriteTables();
 
@@ -301,9 +302,9 @@ void FileWriter::Internals::WriteEmbeddedStep(const Embedded<MeshT>& embedded,
 //------------------------------------------------------------------------------
 void FileWriter::Internals::WriteStep(std::span<const void* const> values, const FieldData& field,
   bool hasTime, double time, const Progress& progress,
-  const std::vector<std::vector<Domain>>* rounded, const CellSubset* living)
+  const std::vector<std::vector<Domain>>* rounded, const CellSubset* remaining)
 {
-  const StepValues all{ values, &field, hasTime, time, rounded, living };
+  const StepValues all{ values, &field, hasTime, time, rounded, remaining };
   if (this->State.Meta.PointsMove && !hasTime)
   {
     ThrowInvalid("points can only move in a file with time");
@@ -440,7 +441,7 @@ void FileWriter::Internals::UseMesh(std::uint32_t mesh)
 /** Writes a step of the mesh that is used. */
 void FileWriter::Internals::WriteSeriesStep(std::span<const void* const> values,
   const FieldData& field, bool hasTime, double time, const Progress& progress,
-  const void* coordinates, const LivingCells* living)
+  const void* coordinates, const RemainingCells* remaining)
 {
   if (!this->Series.empty() && !(hasTime && time > this->Series.back().Time))
   {
@@ -452,7 +453,7 @@ void FileWriter::Internals::WriteSeriesStep(std::span<const void* const> values,
     ThrowInvalid("a mesh that changes needs time, and a step of the first mesh");
   }
   Internals& mesh = this->NextMesh == 0 ? *this : *this->Other;
-  if (living && living->DropsPoints && mesh.State.Options.PointsMove && !coordinates)
+  if (remaining && remaining->DropsPoints && mesh.State.Options.PointsMove && !coordinates)
   {
     ThrowInvalid("a step with fewer points has no coordinates");
   }
@@ -462,9 +463,9 @@ void FileWriter::Internals::WriteSeriesStep(std::span<const void* const> values,
     all.push_back(coordinates ? coordinates : mesh.Part.Mesh.GetMesh().Coordinates);
   }
   StoredStep stored{ this->NextMesh, 0, time };
-  if (living)
+  if (remaining)
   {
-    mesh.WriteLiving(all, field, time, progress, *living, stored);
+    mesh.WriteRemaining(all, field, time, progress, *remaining, stored);
   }
   else
   {
@@ -475,8 +476,9 @@ void FileWriter::Internals::WriteSeriesStep(std::span<const void* const> values,
 
 //------------------------------------------------------------------------------
 /** Writes a step of which some cells are not alive. Sets the mask that it has. */
-void FileWriter::Internals::WriteLiving(std::span<const void* const> values, const FieldData& field,
-  double time, const Progress& progress, const LivingCells& living, StoredStep& stored)
+void FileWriter::Internals::WriteRemaining(std::span<const void* const> values,
+  const FieldData& field, double time, const Progress& progress, const RemainingCells& remaining,
+  StoredStep& stored)
 {
   if (this->Steps.GetCount() == 0 || this->Tree || this->Boundary)
   {
@@ -484,7 +486,7 @@ void FileWriter::Internals::WriteLiving(std::span<const void* const> values, con
       "the first step of a mesh must have all of its cells, and cells can be left out only "
       "without hierarchy and boundary");
   }
-  const CellSubset subset(this->Part.Mesh, living);
+  const CellSubset subset(this->Part.Mesh, remaining);
   std::vector<Bytes> spread;
   std::vector<const void*> pointers;
   for (std::size_t a = 0; a < values.size(); ++a)
@@ -563,9 +565,9 @@ FileWriter::~FileWriter() = default;
 //------------------------------------------------------------------------------
 void FileWriter::WriteStep(std::span<const void* const> values, const FieldData& field,
   bool hasTime, double time, const Progress& progress, const void* coordinates,
-  const LivingCells* living)
+  const RemainingCells* remaining)
 {
-  this->Self->WriteSeriesStep(values, field, hasTime, time, progress, coordinates, living);
+  this->Self->WriteSeriesStep(values, field, hasTime, time, progress, coordinates, remaining);
 }
 
 //------------------------------------------------------------------------------

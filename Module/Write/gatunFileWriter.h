@@ -54,13 +54,13 @@ public:
    * is valid and has no values. The values of an array are consecutive tuples: Points or Tets times
    * Components values. coordinates: those of the points at this step if they move
    * (WriterOptions::PointsMove), as MeshInput::Coordinates; null if they are those of the mesh,
-   * which those of the first step must be. living: the cells that are alive, if those of the mesh
-   * are not; there are values and coordinates only for these cells and their points. It needs time,
-   * an earlier step with all cells of the mesh, and no hierarchy and no boundary.
+   * which those of the first step must be. remaining: the cells that are alive, if those of the
+   * mesh are not; there are values and coordinates only for these cells and their points. It needs
+   * time, an earlier step with all cells of the mesh, and no hierarchy and no boundary.
    */
   void WriteStep(std::span<const void* const> values, const FieldData& field = {},
     bool hasTime = false, double time = 0, const Progress& progress = {},
-    const void* coordinates = nullptr, const LivingCells* living = nullptr);
+    const void* coordinates = nullptr, const RemainingCells* remaining = nullptr);
 
   /** Adds a mesh that the next steps have. It has the same arrays. The options are those of the
    * first mesh but for what depends on the mesh: Tree and the values of Layers. The steps of a mesh

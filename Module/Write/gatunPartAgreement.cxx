@@ -14,7 +14,7 @@ namespace gatun
 namespace
 {
 /** The process that joins the points with a key. */
-std::size_t FindJoiner(const SkinRecord& use, std::size_t processes)
+std::size_t FindJoiner(const BoundaryRecord& use, std::size_t processes)
 {
   std::uint64_t hash = 0;
   for (const auto word : use.Key)
@@ -216,7 +216,7 @@ void PartAgreement::AgreeOnParts(
   {
     ThrowInvalid("no process has a part");
   }
-  if (chunks >= SkinRecord::NoChunk)
+  if (chunks >= BoundaryRecord::NoChunk)
   {
     ThrowInvalid("the file has too many chunks; make chunks larger");
   }
@@ -243,9 +243,9 @@ void PartAgreement::PlaceChunks()
 }
 
 //------------------------------------------------------------------------------
-void PartAgreement::JoinPoints(SkinMerge& skins, std::size_t parts)
+void PartAgreement::JoinPoints(BoundaryMerge& boundaries, std::size_t parts)
 {
-  SkinMerge merge(this->Folder, this->Memory);
+  BoundaryMerge merge(this->Folder, this->Memory);
   const auto own = this->GetOwn();
   this->Exchange.Together([&] { this->Uses.Sort(); });
   this->Exchange.ExchangeInRounds(
@@ -255,10 +255,10 @@ void PartAgreement::JoinPoints(SkinMerge& skins, std::size_t parts)
       const auto* next = this->Uses.Get();
       for (; next && bytes < this->GetRoundBytes(); next = this->Uses.Get())
       {
-        SkinRecord use = *next;
+        BoundaryRecord use = *next;
         use.Part += static_cast<std::uint32_t>(own.FirstPart);
         use.Chunk +=
-          use.Chunk == SkinRecord::NoChunk ? 0 : static_cast<std::uint32_t>(own.FirstChunk);
+          use.Chunk == BoundaryRecord::NoChunk ? 0 : static_cast<std::uint32_t>(own.FirstChunk);
         const auto* begin = reinterpret_cast<const std::uint8_t*>(&use);
         auto& message = messages[FindJoiner(use, messages.size())];
         message.insert(message.end(), begin, begin + sizeof(use));
@@ -269,9 +269,10 @@ void PartAgreement::JoinPoints(SkinMerge& skins, std::size_t parts)
     },
     [&](const PartExchange::Message& message)
     {
-      for (std::size_t at = 0; at + sizeof(SkinRecord) <= message.size(); at += sizeof(SkinRecord))
+      for (std::size_t at = 0; at + sizeof(BoundaryRecord) <= message.size();
+           at += sizeof(BoundaryRecord))
       {
-        SkinRecord use;
+        BoundaryRecord use;
         std::memcpy(&use, message.data() + at, sizeof(use));
         merge.Add(use);
       }
@@ -279,8 +280,8 @@ void PartAgreement::JoinPoints(SkinMerge& skins, std::size_t parts)
   SharedGroups changes;
   this->Exchange.Together([&] { merge.Join(parts, changes); });
   const auto counts = this->AgreeOnGroups(merge.GetCounts(), changes, parts);
-  this->ReturnJoins(merge, skins);
-  this->Exchange.Together([&] { skins.SetJoined(counts); });
+  this->ReturnJoins(merge, boundaries);
+  this->Exchange.Together([&] { boundaries.SetJoined(counts); });
 }
 
 //------------------------------------------------------------------------------
@@ -318,7 +319,7 @@ JoinCounts PartAgreement::AgreeOnGroups(
 
 //------------------------------------------------------------------------------
 /** Sends joined points to the processes that have them. */
-void PartAgreement::ReturnJoins(SkinMerge& merge, SkinMerge& skins)
+void PartAgreement::ReturnJoins(BoundaryMerge& merge, BoundaryMerge& boundaries)
 {
   this->Exchange.ExchangeInRounds(
     [&](std::vector<PartExchange::Message>& messages)
@@ -355,8 +356,8 @@ void PartAgreement::ReturnJoins(SkinMerge& merge, SkinMerge& skins)
         join.First = in.Get<std::uint32_t>();
         join.Point = in.Get<std::uint32_t>();
         const auto chunks = GetChunks(in);
-        join.Group = chunks.empty() ? JoinRecord::Dropped : skins.FindGroup(chunks);
-        skins.AddJoin(join);
+        join.Group = chunks.empty() ? JoinRecord::Dropped : boundaries.FindGroup(chunks);
+        boundaries.AddJoin(join);
       }
     });
 }
@@ -420,13 +421,14 @@ std::size_t PartAgreement::GetLast() const
 }
 
 //------------------------------------------------------------------------------
-void PartAgreement::SendNumbers(SkinMerge& skins, std::vector<std::vector<std::uint64_t>>& numbers)
+void PartAgreement::SendNumbers(
+  BoundaryMerge& boundaries, std::vector<std::vector<std::uint64_t>>& numbers)
 {
   const auto self = static_cast<std::size_t>(this->Exchange.GetProcess());
   std::vector<ByteWriter> messages(this->Shares.size());
   for (std::uint32_t group = 0; group < numbers.size(); ++group)
   {
-    const auto& chunks = skins.GetGroup(group);
+    const auto& chunks = boundaries.GetGroup(group);
     if (numbers[group].empty() || this->FindOwner(chunks.front()) != self)
     {
       continue;
@@ -455,7 +457,7 @@ void PartAgreement::SendNumbers(SkinMerge& skins, std::vector<std::vector<std::u
   {
     for (ByteReader in(message); in.GetRemaining() > 0;)
     {
-      const auto group = skins.FindGroup(GetChunks(in));
+      const auto group = boundaries.FindGroup(GetChunks(in));
       numbers.resize(std::max<std::size_t>(numbers.size(), std::size_t{ group } + 1));
       numbers[group].resize(static_cast<std::size_t>(in.GetCount(1)));
       for (auto& number : numbers[group])

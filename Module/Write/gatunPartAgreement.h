@@ -6,9 +6,9 @@
 
 // What the processes that write a file together have to agree on before they write their parts.
 
+#include "gatunBoundaryMerge.h"
 #include "gatunPartExchange.h"
 #include "gatunPartSurvey.h"
-#include "gatunSkinMerge.h"
 #include "gatunSpillSorter.h"
 #include "gatunWriterPart.h"
 #include "gatunWriterState.h"
@@ -44,12 +44,12 @@ struct ProcessShare
 class PartAgreement
 {
 public:
-  /** state: that of this process. folder, memory: as for SkinMerge. */
+  /** state: that of this process. folder, memory: as for BoundaryMerge. */
   PartAgreement(
     PartExchange& exchange, WriterState& state, const std::string& folder, std::size_t memory);
 
   /** Adds a use of a point. Parts and chunks have the numbers that they have in this process. */
-  void Add(const SkinRecord& use) { this->Uses.Add(use); }
+  void Add(const BoundaryRecord& use) { this->Uses.Add(use); }
 
   /** Adds the unused points of the next part, and their values at its next step. */
   void AddUnused(const WriterPart& part);
@@ -59,9 +59,9 @@ public:
    * points have global ids. */
   void AgreeOnParts(std::vector<SurveyedPart>& parts, const std::optional<bool>& hasIds);
 
-  /** Finds the points that parts have in common. skins then has those of the parts of this process,
-   * and the state all groups of shared points. */
-  void JoinPoints(SkinMerge& skins, std::size_t parts);
+  /** Finds the points that parts have in common. boundaries then has those of the parts of this
+   * process, and the state all groups of shared points. */
+  void JoinPoints(BoundaryMerge& boundaries, std::size_t parts);
 
   /** Adds the values of the parts of the other processes. */
   void AgreeOnDomains(PartDomains& domains);
@@ -70,8 +70,8 @@ public:
   void SetPlaces(const std::vector<PartPlace>& places);
 
   /** Sends the original numbers of joined points from the first part that has them to the others.
-   * numbers: those of each group of skins. */
-  void SendNumbers(SkinMerge& skins, std::vector<std::vector<std::uint64_t>>& numbers);
+   * numbers: those of each group of boundaries. */
+  void SendNumbers(BoundaryMerge& boundaries, std::vector<std::vector<std::uint64_t>>& numbers);
 
   /** Notes the original numbers of the unused points of a part of this process. numbers: of all its
    * points. Empty: consecutive from the first one. Not collective. */
@@ -105,7 +105,7 @@ private:
     const std::optional<bool>& hasIds) const;
   void PlaceChunks();
   JoinCounts AgreeOnGroups(const JoinCounts& own, const SharedGroups& changes, std::size_t parts);
-  void ReturnJoins(SkinMerge& merge, SkinMerge& skins);
+  void ReturnJoins(BoundaryMerge& merge, BoundaryMerge& boundaries);
   std::size_t FindOwner(std::uint32_t chunk) const;
   std::size_t GetRoundBytes() const;
 
@@ -113,7 +113,7 @@ private:
   WriterState& State;
   const std::string Folder;
   const std::size_t Memory;
-  SpillSorter<SkinRecord> Uses;
+  SpillSorter<BoundaryRecord> Uses;
   std::vector<PartUnused> Unused;
   std::vector<ProcessShare> Shares;
 };

@@ -5,7 +5,7 @@
 
 #include "gatunContainer.h"
 #include "gatunParallel.h"
-#include "gatunPartSkin.h"
+#include "gatunPartBoundary.h"
 
 #include <algorithm>
 #include <bit>
@@ -53,9 +53,9 @@ std::uint64_t GetKey(const MeshInput& mesh, std::uint32_t point, unsigned axis)
 std::vector<std::uint8_t> FindCandidates(
   const WriterPart& part, const std::int64_t* globalIds, PartSurvey::Candidates candidates)
 {
-  if (candidates == PartSurvey::Candidates::Skin)
+  if (candidates == PartSurvey::Candidates::Boundary)
   {
-    return FindSkin(part.Mesh, part.Layout);
+    return FindPartBoundary(part.Mesh, part.Layout);
   }
   std::vector<std::uint8_t> marks(static_cast<std::size_t>(part.Mesh.GetMesh().Points), 1);
   if (candidates == PartSurvey::Candidates::WithIds && globalIds)
@@ -121,7 +121,7 @@ PartSurvey::PartSurvey(const WriterPart& part, std::uint32_t number, const std::
     {
       return;
     }
-    SkinRecord use;
+    BoundaryRecord use;
     for (unsigned axis = 0; axis < 3; ++axis)
     {
       use.Key[axis] = globalIds ? (axis == 0 ? static_cast<std::uint64_t>(globalIds[point]) : 0)
@@ -133,7 +133,7 @@ PartSurvey::PartSurvey(const WriterPart& part, std::uint32_t number, const std::
     use.Point = point;
     for (const auto chunk : chunks)
     {
-      use.Chunk = chunk == SkinRecord::NoChunk
+      use.Chunk = chunk == BoundaryRecord::NoChunk
         ? chunk
         : static_cast<std::uint32_t>(part.Place.FirstChunk + chunk);
       this->Uses.push_back(use);
@@ -155,7 +155,7 @@ PartSurvey::PartSurvey(const WriterPart& part, std::uint32_t number, const std::
   }
   for (const auto point : layout.UnusedPoints)
   {
-    add(point, std::array{ SkinRecord::NoChunk });
+    add(point, std::array{ BoundaryRecord::NoChunk });
   }
 }
 

@@ -7,8 +7,8 @@
 // What has to be known of all parts of a mesh before the first one is written.
 
 #include "gatunArrayCopies.h"
+#include "gatunBoundaryMerge.h"
 #include "gatunDomainSurvey.h"
-#include "gatunSkinMerge.h"
 #include "gatunStepSection.h"
 #include "gatunWriterPart.h"
 #include "gatunWriterState.h"
@@ -44,7 +44,7 @@ public:
   /** Which points are looked for in other parts. */
   enum class Candidates
   {
-    Skin, ///< see FindSkin
+    Boundary, ///< see FindPartBoundary
     All,
     WithIds ///< those with a global id of 0 and more
   };
@@ -56,10 +56,10 @@ public:
   /** Adds the values of point arrays at a step. */
   void AddValues(const std::vector<ArrayDescription>& arrays, std::span<const void* const> values);
 
-  const std::vector<SkinRecord>& GetUses() const { return this->Uses; }
+  const std::vector<BoundaryRecord>& GetUses() const { return this->Uses; }
 
 private:
-  std::vector<SkinRecord> Uses;
+  std::vector<BoundaryRecord> Uses;
 };
 
 /** Finds the domains of coordinates and arrays of all parts. */

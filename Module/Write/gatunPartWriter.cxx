@@ -3,6 +3,7 @@
 
 #include "gatunPartWriter.h"
 
+#include "gatunBoundaryMerge.h"
 #include "gatunError.h"
 #include "gatunKeepMemory.h"
 #include "gatunMeshSection.h"
@@ -10,7 +11,6 @@
 #include "gatunPartAssembly.h"
 #include "gatunPartSurvey.h"
 #include "gatunPointNumbers.h"
-#include "gatunSkinMerge.h"
 #include "gatunStepSection.h"
 #include "gatunWriterCheck.h"
 #include "gatunWriterPart.h"
@@ -54,7 +54,7 @@ public:
     const PartWriterOptions& options)
     : Options(options)
     , State(path, arrays, options.File)
-    , Skins(GetSpillFolder(path, options.SpillFolder), options.SpillMemory)
+    , Boundaries(GetSpillFolder(path, options.SpillFolder), options.SpillMemory)
   {
   }
 
@@ -62,7 +62,7 @@ public:
     const PartWriterOptions& options, PartExchange& exchange)
     : Options(options)
     , State(arrays, options.File, GetSpillFolder(path, options.SpillFolder))
-    , Skins(GetSpillFolder(path, options.SpillFolder), options.SpillMemory)
+    , Boundaries(GetSpillFolder(path, options.SpillFolder), options.SpillMemory)
     , Exchange(&exchange)
   {
     if (exchange.GetProcess() == 0)
@@ -109,7 +109,7 @@ private:
   WriterState State;
   MeshSection Mesh{ State };
   StepSection Steps{ State };
-  SkinMerge Skins;
+  BoundaryMerge Boundaries;
   std::vector<SurveyedPart> Parts;
   std::optional<PartSurvey> Current; // the part that is being surveyed
   PartDomains Domains{ State };
@@ -121,7 +121,7 @@ private:
   std::size_t Written = 0; // parts of this process that were begun
   std::optional<WriterPart> Part;
   bool IsDeferred = false; // whether the mesh of the part is not written yet
-  PointNumbers Numbers{ Skins };
+  PointNumbers Numbers{ Boundaries };
 
   // If several processes write the file.
   PartExchange* const Exchange = nullptr;
@@ -169,7 +169,7 @@ void PartWriter::Internals::Survey(
   this->Current.emplace(part, static_cast<std::uint32_t>(this->Parts.size()), globalIds,
     this->Options.JoinByIdsOnly     ? Candidates::WithIds
       : this->Options.JoinAllPoints ? Candidates::All
-                                    : Candidates::Skin);
+                                    : Candidates::Boundary);
   this->Parts.push_back(
     { part.Layout.GetChunkCount(), mesh.Points, mesh.Cells, HashPart(mesh, globalIds), {} });
 }
@@ -215,7 +215,7 @@ void PartWriter::Internals::EndPartSurvey()
     }
     else
     {
-      this->Skins.Add(use);
+      this->Boundaries.Add(use);
     }
   }
   this->Current.reset();
@@ -244,7 +244,7 @@ void PartWriter::Internals::JoinAlone()
 {
   this->EndPartSurvey();
   this->IsJoined = true;
-  this->Skins.Join(this->Parts.size(), this->State.Groups);
+  this->Boundaries.Join(this->Parts.size(), this->State.Groups);
   this->PlaceParts();
 }
 
@@ -257,7 +257,7 @@ void PartWriter::Internals::JoinTogether()
   exchange.Together([&] { this->EndPartSurvey(); });
   this->IsJoined = true;
   agreement.AgreeOnParts(this->Parts, this->HasIds);
-  agreement.JoinPoints(this->Skins, this->Parts.size());
+  agreement.JoinPoints(this->Boundaries, this->Parts.size());
   agreement.AgreeOnDomains(this->Domains);
   exchange.Together([&] { this->PlaceParts(); });
   agreement.SetPlaces(this->Places);
@@ -275,7 +275,7 @@ void PartWriter::Internals::SendPoints()
       const auto& own = agreement.GetOwn();
       for (auto p = own.FirstPart; p < own.FirstPart + own.Parts; ++p)
       {
-        this->Joins.push_back(this->Skins.Take(static_cast<std::uint32_t>(p)));
+        this->Joins.push_back(this->Boundaries.Take(static_cast<std::uint32_t>(p)));
         auto numbers = this->HasNumbers()
           ? this->Numbers.Find(this->Places[p], this->Parts[p].Points, this->Joins.back())
           : std::vector<std::uint64_t>();
@@ -284,7 +284,7 @@ void PartWriter::Internals::SendPoints()
     });
   if (this->HasNumbers())
   {
-    agreement.SendNumbers(this->Skins, this->Numbers.GetJoined());
+    agreement.SendNumbers(this->Boundaries, this->Numbers.GetJoined());
   }
   agreement.SendUnused(this->Joins);
 }
@@ -294,10 +294,10 @@ void PartWriter::Internals::SendPoints()
 void PartWriter::Internals::PlaceParts()
 {
   auto& meta = this->State.Meta;
-  meta.UnusedPoints -= this->Skins.GetCounts().Dropped;
+  meta.UnusedPoints -= this->Boundaries.GetCounts().Dropped;
   for (std::size_t p = 0; p < this->Parts.size(); ++p)
   {
-    meta.Points -= this->Skins.GetCounts().Repeated[p];
+    meta.Points -= this->Boundaries.GetCounts().Repeated[p];
   }
   this->State.LinkGroups();
   PartPlace place;
@@ -318,7 +318,7 @@ void PartWriter::Internals::PlaceParts()
     this->Places.push_back(place);
     place.FirstChunk = end;
     place.FirstBlock += place.Blocks;
-    place.FirstPoint += part.Points - this->Skins.GetCounts().Repeated[p];
+    place.FirstPoint += part.Points - this->Boundaries.GetCounts().Repeated[p];
     place.FirstCell += part.Cells;
   }
   this->Mesh.SetDomains(this->Domains.FinishMesh());
@@ -372,7 +372,7 @@ void PartWriter::Internals::Write(
   this->Part->Place = this->Places[number];
   this->Mesh.MakeLayout(*this->Part, {});
   this->ApplyJoins(this->Agreement ? std::move(this->Joins[this->Written - 1])
-                                   : this->Skins.Take(static_cast<std::uint32_t>(number)));
+                                   : this->Boundaries.Take(static_cast<std::uint32_t>(number)));
   // With a single step, its values are encoded together with the mesh, chunk by chunk.
   this->IsDeferred = surveyed.StepHashes.size() == 1;
   if (!this->IsDeferred)
@@ -429,7 +429,7 @@ void PartWriter::Internals::ApplyJoins(const PartJoins& joins)
   layout.SharedPoints = {};
   for (const auto& [group, points] : joins.Groups)
   {
-    groups[this->Skins.GetGroup(group)] = points;
+    groups[this->Boundaries.GetGroup(group)] = points;
   }
   this->Part->PlaceShared(this->State.Table, groups);
 }
@@ -502,14 +502,14 @@ PartStatistics PartWriter::Internals::Finish()
   }
   statistics.Points = this->State.Meta.Points;
   statistics.Cells = this->State.NumberOfCells;
-  const auto& counts = this->Skins.GetCounts();
+  const auto& counts = this->Boundaries.GetCounts();
   for (const auto repeated : counts.Repeated)
   {
     statistics.JoinedPoints += repeated;
   }
   statistics.DifferentPoints = counts.Different;
   statistics.AmbiguousPoints = counts.Ambiguous;
-  statistics.SpilledBytes = this->Skins.GetSpilledBytes();
+  statistics.SpilledBytes = this->Boundaries.GetSpilledBytes();
   return statistics;
 }
 

@@ -18,7 +18,7 @@ std::vector<std::uint64_t> PointNumbers::Find(
     numbers[point] = repeated;
   }
   const auto isFirst = [&](std::uint32_t group)
-  { return this->Skins.GetGroup(group).front() >= place.FirstChunk; };
+  { return this->Boundaries.GetGroup(group).front() >= place.FirstChunk; };
   for (const auto& [group, members] : joins.Groups)
   {
     for (const auto point : members)

@@ -4,7 +4,7 @@
 #ifndef gatunPointNumbers_h
 #define gatunPointNumbers_h
 
-#include "gatunSkinMerge.h"
+#include "gatunBoundaryMerge.h"
 #include "gatunWriterPart.h"
 
 #include <cstdint>
@@ -17,8 +17,8 @@ namespace gatun
 class PointNumbers
 {
 public:
-  explicit PointNumbers(const SkinMerge& skins)
-    : Skins(skins)
+  explicit PointNumbers(const BoundaryMerge& boundaries)
+    : Boundaries(boundaries)
   {
   }
 
@@ -30,7 +30,7 @@ public:
   std::vector<std::vector<std::uint64_t>>& GetJoined() { return this->Joined; }
 
 private:
-  const SkinMerge& Skins;
+  const BoundaryMerge& Boundaries;
   std::vector<std::vector<std::uint64_t>> Joined;
 };
 }

@@ -243,7 +243,7 @@ void StepSection::Prepare(const WriterPart& part, const StepValues& values)
   {
     this->AddArray(a, part, values.Arrays[a]);
     auto& input = step.Arrays.back();
-    input.IsAlive = values.Living ? &values.Living->Get(input.Description->Where) : nullptr;
+    input.IsAlive = values.Remaining ? &values.Remaining->Get(input.Description->Where) : nullptr;
   }
   this->RoundArrays(part, values);
   this->Ahead.assign(part.Layout.GetChunkCount(), {});

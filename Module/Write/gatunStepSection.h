@@ -38,7 +38,7 @@ struct StepValues
   const std::vector<std::vector<Domain>>* Rounded = nullptr;
 
   /** The cells that are alive, whose values count for ranges. Null if all are. */
-  const CellSubset* Living = nullptr;
+  const CellSubset* Remaining = nullptr;
 };
 
 /** How the arrays have keys at a time step. */

@@ -11,7 +11,7 @@ namespace gatun
 {
 namespace
 {
-// Coarser meshes need no rungs: their chunks extend over the whole mesh.
+// Coarser meshes need no merge counts: their chunks extend over the whole mesh.
 constexpr std::uint32_t FewPoints = 256;
 
 MergeTree Renumber(const MergeTree& tree, const std::vector<std::uint32_t>& ids)
@@ -40,11 +40,11 @@ TreeLayout::TreeLayout(const MergeTree& tree, std::vector<std::uint32_t> ids, co
   const auto used = tree.GetNumberOfPoints() - static_cast<std::uint32_t>(mesh.Unused.Points);
   for (auto left = used / 2; left >= FewPoints && used - left < merges; left /= 2)
   {
-    this->Rungs.push_back(used - left);
+    this->MergeCounts.push_back(used - left);
   }
   if (merges > 0)
   {
-    this->Rungs.push_back(merges);
+    this->MergeCounts.push_back(merges);
   }
   auto own = mesh.GetSharedPoints();
   for (const ChunkEntry& chunk : mesh.Chunks)
@@ -97,14 +97,15 @@ std::vector<Range> TreeLayout::FindRanges(
 std::vector<std::vector<Range>> TreeLayout::FindRanges(
   const std::function<double(std::uint32_t)>& getValue) const
 {
-  std::vector<std::vector<Range>> ranges(this->Runs.size(), std::vector<Range>(this->Rungs.size()));
-  ParallelFor(this->Rungs.size(),
-    [&](std::size_t rung)
+  std::vector<std::vector<Range>> ranges(
+    this->Runs.size(), std::vector<Range>(this->MergeCounts.size()));
+  ParallelFor(this->MergeCounts.size(),
+    [&](std::size_t mergeCount)
     {
-      const auto chunks = this->FindRanges(this->Rungs[rung], getValue);
+      const auto chunks = this->FindRanges(this->MergeCounts[mergeCount], getValue);
       for (std::size_t c = 0; c < chunks.size(); ++c)
       {
-        ranges[c][rung] = chunks[c];
+        ranges[c][mergeCount] = chunks[c];
       }
     });
   return ranges;

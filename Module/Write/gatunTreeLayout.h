@@ -25,12 +25,12 @@ public:
   const MergeTree& GetTree() const { return this->Tree; }
 
   /** The numbers of merges that leave half of the points, a quarter and so on, and all merges. */
-  const std::vector<std::uint32_t>& GetRungs() const { return this->Rungs; }
+  const std::vector<std::uint32_t>& GetMergeCounts() const { return this->MergeCounts; }
 
   /**
-   * For each chunk and rung, the range of a value over the chunk's points and all points that they
-   * are merged into by any number of merges up to the rung. NaN is ignored. getValue takes a point
-   * of the given tree.
+   * For each chunk and merge count, the range of a value over the chunk's points and all points
+   * that they are merged into by any number of merges up to the merge count. NaN is ignored.
+   * getValue takes a point of the given tree.
    */
   std::vector<std::vector<Range>> FindRanges(
     const std::function<double(std::uint32_t)>& getValue) const;
@@ -41,7 +41,7 @@ private:
 
   std::vector<std::uint32_t> Ids;
   MergeTree Tree;
-  std::vector<std::uint32_t> Rungs;
+  std::vector<std::uint32_t> MergeCounts;
 
   /** The points of each chunk as half-open intervals. */
   std::vector<std::vector<std::pair<std::uint64_t, std::uint64_t>>> Runs;

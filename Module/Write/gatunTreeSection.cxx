@@ -19,7 +19,7 @@ TreeSection::TreeSection(WriterState& state, const WriterPart& part)
   , Layout(*state.Options.Tree, this->GetPointOrder(), state.Table)
 {
   this->Tree.Merges = static_cast<std::uint32_t>(this->Layout.GetTree().GetMerges().size());
-  this->Tree.Rungs = this->Layout.GetRungs();
+  this->Tree.MergeCounts = this->Layout.GetMergeCounts();
   this->FindBoxes();
   if (this->Tree.Merges > 0)
   {
@@ -53,16 +53,17 @@ std::vector<std::uint32_t> TreeSection::GetPointOrder() const
 //------------------------------------------------------------------------------
 void TreeSection::FindBoxes()
 {
-  this->Tree.Boxes.assign(this->Part.Chunks.size(), std::vector<Bounds>(this->Tree.Rungs.size()));
+  this->Tree.Boxes.assign(
+    this->Part.Chunks.size(), std::vector<Bounds>(this->Tree.MergeCounts.size()));
   for (unsigned axis = 0; axis < 3; ++axis)
   {
     const auto ranges = this->Layout.FindRanges([&](std::uint32_t point)
       { return ArrayInput::Finite(this->Part.Mesh.GetCoordinate(point, axis)); });
     for (std::size_t c = 0; c < ranges.size(); ++c)
     {
-      for (std::size_t rung = 0; rung < ranges[c].size(); ++rung)
+      for (std::size_t mergeCount = 0; mergeCount < ranges[c].size(); ++mergeCount)
       {
-        this->Tree.Boxes[c][rung][axis] = ranges[c][rung];
+        this->Tree.Boxes[c][mergeCount][axis] = ranges[c][mergeCount];
       }
     }
   }
@@ -103,7 +104,7 @@ void TreeSection::WriteStep(const std::vector<ArrayInput>& inputs)
     const auto count = GetRangeCount(components);
     const auto reader = input.GetReader();
     chunks.assign(this->Part.Chunks.size(),
-      std::vector<ArrayRanges>(this->Tree.Rungs.size(), ArrayRanges(count)));
+      std::vector<ArrayRanges>(this->Tree.MergeCounts.size(), ArrayRanges(count)));
     for (std::size_t r = 0; r < count; ++r)
     {
       const int component = r < components ? static_cast<int>(r) : -1;
@@ -115,9 +116,9 @@ void TreeSection::WriteStep(const std::vector<ArrayInput>& inputs)
         });
       for (std::size_t c = 0; c < ranges.size(); ++c)
       {
-        for (std::size_t rung = 0; rung < ranges[c].size(); ++rung)
+        for (std::size_t mergeCount = 0; mergeCount < ranges[c].size(); ++mergeCount)
         {
-          chunks[c][rung][r] = ranges[c][rung];
+          chunks[c][mergeCount][r] = ranges[c][mergeCount];
         }
       }
     }

@@ -212,10 +212,10 @@ void WriteMeshes(const std::string& folder)
   Write(folder, "base_meshes_at_steps", steps, 80, { 0.4 });
   Write(folder, "any_merges", MakeAnyMerges(), 64);
   Write(folder, "merges_of_odd_points", MakeOdd(), 64);
-  auto rungs = MakeTreeSample(8, 1); // so many points have two
-  rungs.Arrays.clear();
-  rungs.Steps.assign(1, {});
-  Write(folder, "rungs", rungs, 500);
+  auto mergeCounts = MakeTreeSample(8, 1); // so many points have two
+  mergeCounts.Arrays.clear();
+  mergeCounts.Steps.assign(1, {});
+  Write(folder, "merge_counts", mergeCounts, 500);
   Write(folder, "surface_base_meshes", MakeSurfaceSample(10, 8, 2), 64, { 0.3, 0.6 });
   Write(folder, "surface_any_merges", MakeAnySurfaceMerges(), 64);
 }

@@ -252,9 +252,9 @@ void TreeParts::Change(const Image& image, std::minstd_rand& random)
         auto tree = TreeTable::Read(this->Trees[0], image.Meta, image.Mesh.Chunks.size());
         const auto add = static_cast<std::uint32_t>(random() % 3) - 1;
         tree.Merges += add;
-        if (!tree.Rungs.empty())
+        if (!tree.MergeCounts.empty())
         {
-          tree.Rungs.back() += add;
+          tree.MergeCounts.back() += add;
         }
         if (!tree.Levels.empty() && random() % 2)
         {

@@ -84,7 +84,7 @@ void ReadTables(fuzz::Input& in)
   const auto tree = TreeTable::Read(next(), meta, mesh.Chunks);
   CheckAgain([&] { return tree.Write(); },
     [&](const Bytes& bytes) { TreeTable::Read(bytes, meta, mesh.Chunks); });
-  if (tree.FindRung(tree.Merges) + 1 != tree.Rungs.size() && tree.Merges > 0)
+  if (tree.FindMergeCount(tree.Merges) + 1 != tree.MergeCounts.size() && tree.Merges > 0)
   {
     std::abort();
   }

@@ -565,7 +565,7 @@ int main(int argc, char* argv[])
   AddLayerFiles(corpus);
   AddSmoothFiles(corpus);
   AddSeriesFiles(corpus);
-  AddDyingFiles(corpus);
+  AddDeletedCellFiles(corpus);
   AddCellFiles(corpus);
   for (unsigned i = 0; i < 6; ++i)
   {

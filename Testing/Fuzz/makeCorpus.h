@@ -48,7 +48,7 @@ void AddSmoothFiles(Corpus& corpus);
 void AddSeriesFiles(Corpus& corpus);
 
 /** Meshes of which cells die, and meshes that return. */
-void AddDyingFiles(Corpus& corpus);
+void AddDeletedCellFiles(Corpus& corpus);
 
 /** Hexahedra and surfaces, with boundaries. */
 void AddCellFiles(Corpus& corpus);

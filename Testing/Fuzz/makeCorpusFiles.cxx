@@ -204,9 +204,9 @@ void AddSeriesFiles(Corpus& corpus)
   }
 }
 
-void AddDyingFiles(Corpus& corpus)
+void AddDeletedCellFiles(Corpus& corpus)
 {
-  const auto path = (corpus.GetFolder() / "dying.gtn").string();
+  const auto path = (corpus.GetFolder() / "deleted.gtn").string();
   const auto mesh = test::MakeCubes(3, 0.2);
   const auto other = test::MakeCubes(1, 0.1);
   std::vector<ArrayDescription> arrays(1);
@@ -223,11 +223,11 @@ void AddDyingFiles(Corpus& corpus)
     options.Keep = keep;
     FileWriter writer(path, mesh.GetInput(), arrays, options);
     writer.WriteStep(pointers, {}, true, 0);
-    LivingCells living;
-    living.Cells = cells;
-    writer.WriteStep(pointers, {}, true, 1, {}, nullptr, &living);
-    living.Cells = living.Cells.subspan(5);
-    writer.WriteStep(pointers, {}, true, 2, {}, nullptr, &living);
+    RemainingCells remaining;
+    remaining.Cells = cells;
+    writer.WriteStep(pointers, {}, true, 1, {}, nullptr, &remaining);
+    remaining.Cells = remaining.Cells.subspan(5);
+    writer.WriteStep(pointers, {}, true, 2, {}, nullptr, &remaining);
     for (int i = 0; i < 3; ++i)
     {
       writer.AddMesh((i == 1 ? mesh : other).GetInput(), options);

@@ -14,7 +14,7 @@ from gtn_container import SURFACE_LISTS
 from gtn_decoder import Decoder
 from gtn_dependencies import check_dependencies
 from gtn_layers import check_layers
-from gtn_series import LivingMesh
+from gtn_series import RemainingMesh
 from gtn_tables import POINTS
 from gtn_tree import check_level, check_ranges
 
@@ -93,9 +93,9 @@ def describe_decoder(decoder):
     for (mesh, mask), steps in kinds.items():
         if mesh not in decoders:
             decoders[mesh] = decoder.mesh(mesh)
-        living = LivingMesh(decoders[mesh], mask) if mask else decoders[mesh]
-        one = describe_mesh(living, steps)
-        key = len(living.points()), *describe_cells(living, False).values()
+        remaining = RemainingMesh(decoders[mesh], mask) if mask else decoders[mesh]
+        one = describe_mesh(remaining, steps)
+        key = len(remaining.points()), *describe_cells(remaining, False).values()
         if key not in described:
             described[key] = one
             continue
@@ -169,7 +169,7 @@ def describe_tree(decoder, name):
         "merges %d %016x" % (len(decoder.merges), checksum(merges)),
         *(["bonds %d" % sum(decoder.bonds)] if decoder.container.is_surface else []),
         *describe_dependencies(decoder),
-        " ".join(map(str, ["rungs", *tree.rungs])),
+        " ".join(map(str, ["merge_counts", *tree.merge_counts])),
         " ".join(map(str, ["levels", *tree.levels])),
         "boxes %s" % checksum_of(np.array(tree.boxes, float)),
     ]

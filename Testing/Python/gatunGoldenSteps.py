@@ -145,7 +145,7 @@ def left(points, tets, front, drops, step, scale=0.0):
     return fill(gm.make_grid(single(places), number[alive]), points[kept], step)
 
 
-def cells_that_die(rng):
+def deleted_cells(rng):
     """Hexahedra and wedges, and cells that die in a mesh that is not the first."""
     points, tets = lattice(rng, 2)
     grids = [fill(gm.make_grid(single(points), tets), points, 0)]
@@ -171,7 +171,7 @@ def cells_that_die(rng):
     return grids, {"KeepOrder": 7, "ChunkTets": 70}
 
 
-def moving_cells_that_die(rng):
+def moving_deleted_cells(rng):
     """Points move while cells die."""
     points, tets = lattice(rng, 3)
     return [left(points, tets, front, False, step, 0.1) for step, front in enumerate(FRONTS)], {
@@ -189,4 +189,4 @@ def two_tets_and_one(_):
 
 ALL = [
     time_steps, moving_points, hierarchy_of_moving_points, series_of_meshes,
-    series_of_hierarchies, cells_that_die, moving_cells_that_die, two_tets_and_one]
+    series_of_hierarchies, deleted_cells, moving_deleted_cells, two_tets_and_one]

@@ -72,7 +72,7 @@ def read_mask(table, meta, layout, cells, before):
             mask.alive[at : at + length] = [not alive for alive in mask.alive[at : at + length]]
         at += length
     table.end()
-    require(sum(mask.alive) == mask.cells, "living cells")
+    require(sum(mask.alive) == mask.cells, "remaining cells")
     return mask
 
 
@@ -88,8 +88,8 @@ def open_mesh(whole, number, make):
     return mesh
 
 
-class LivingMesh:
-    """A mesh with the living cells of a mask, from 1; has what is asked of a decoder."""
+class RemainingMesh:
+    """A mesh with the remaining cells of a mask, from 1; has what is asked of a decoder."""
 
     def __init__(self, decoder, number):
         self.decoder, self.container = decoder, decoder.container

@@ -16,7 +16,7 @@ from gtn_bytes import Bytes, require
 from gtn_coding import Coded, RunningSpread
 from gtn_tables import POINTS
 
-MAX_RUNGS = MAX_LEVELS = 64
+MAX_MERGE_COUNTS = MAX_LEVELS = 64
 INFINITY_KEY = 0x7F80
 TRIANGLE = 5
 
@@ -32,27 +32,27 @@ def read_tree(table, meta, layout, is_surface):
 
     def ascending(most):
         count = table.varint()
-        require(count <= most, "too many rungs or base meshes")
+        require(count <= most, "too many merge counts or base meshes")
         numbers = [table.varint() for _ in range(count)]
         require(all(a < b for a, b in zip([0] + numbers, numbers)), "numbers do not ascend")
         require(not numbers or numbers[-1] <= tree.merges, "number of merges")
         return numbers
 
-    tree.rungs = ascending(MAX_RUNGS)
-    require(tree.merges == 0 or tree.rungs and tree.rungs[-1] == tree.merges, "last rung")
-    tree.boxes = [[table.ranges(3) for _ in tree.rungs] for _ in layout.chunks]
+    tree.merge_counts = ascending(MAX_MERGE_COUNTS)
+    require(tree.merges == 0 or tree.merge_counts and tree.merge_counts[-1] == tree.merges, "last merge count")
+    tree.boxes = [[table.ranges(3) for _ in tree.merge_counts] for _ in layout.chunks]
     tree.levels = ascending(MAX_LEVELS)
     table.end()
     return tree
 
 
 def read_tree_step(table, meta, layout, tree):
-    """A section TRNG (13.4): ranges by array, None for those of cells, chunk and rung."""
+    """A section TRNG (13.4): ranges by array, None for those of cells, chunk and merge count."""
     result = []
     for array in meta.all_arrays:
         count = array.components + (array.components > 1)
         of_points = array.where == POINTS
-        result.append([[table.ranges(count) for _ in tree.rungs] for _ in layout.chunks]
+        result.append([[table.ranges(count) for _ in tree.merge_counts] for _ in layout.chunks]
                       if of_points else None)
     table.end()
     return result
@@ -167,18 +167,18 @@ def values_of(decoder, step, array):
 def check_ranges(decoder):
     """Whether the ranges of TREE and TRNG enclose what they are said to enclose, and nothing else."""
     tree = decoder.container.tree
-    for rung, n in enumerate(tree.rungs):
+    for count, n in enumerate(tree.merge_counts):
         ways = find_ways(decoder.meta.points, decoder.merges[:n])
         for c, chunk in enumerate(decoder.chunks):
             first = decoder.first_own[c]
             own = range(first, first + len(chunk.own))
             way = sorted(set().union(*(ways[i] for i in [*chunk.shared_points, *own])))
             places = decoder.points()[way].astype(float)
-            check_tight(tree.boxes[c][rung], np.where(np.isfinite(places), places, np.nan))
+            check_tight(tree.boxes[c][count], np.where(np.isfinite(places), places, np.nan))
             for s, ranges in enumerate(tree.ranges):
                 for a, of_array in enumerate(ranges):
                     if of_array is not None:
-                        check_tight(of_array[c][rung], values_of(decoder, s, a)[way])
+                        check_tight(of_array[c][count], values_of(decoder, s, a)[way])
 
 
 def with_lengths(values):

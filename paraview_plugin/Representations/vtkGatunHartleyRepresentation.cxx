@@ -260,12 +260,12 @@ void vtkGatunHartleyRepresentation::PrepareToDraw()
     : nullptr;
   this->Actor->SetVisibility(
     this->GetVisibility() && this->Volume && name && *name && !IsParallel());
-  if (this->Volume && IsParallel() && !this->HasToldParallel)
+  if (this->Volume && IsParallel() && !this->HasReportedParallel)
   {
     vtkErrorMacro(
       "Gatun Hartley draws in one process only. Gatun Hartley Projection makes images with "
       "several.");
-    this->HasToldParallel = true;
+    this->HasReportedParallel = true;
   }
   if (!this->Actor->GetVisibility())
   {

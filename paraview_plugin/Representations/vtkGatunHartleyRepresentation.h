@@ -104,7 +104,7 @@ private:
   vtkNew<vtkGatunHartleyMapper> VolumeMapper;
   vtkNew<vtkPolyDataMapper> OutlineMapper; // which vtkPVLODVolume wants to have
   vtkSmartPointer<vtkProjection> Projection;
-  bool HasToldParallel = false;
+  bool HasReportedParallel = false;
   vtkSmartPointer<vtkImageData> Volume; // its place, and its voxels if there are no coefficients
 };
 

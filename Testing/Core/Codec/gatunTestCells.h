@@ -224,35 +224,35 @@ inline void ExpectArrays(EncodedCells& encoded, ChunkMesh& decoded)
   encoded.Mesh.MakeContext(ContextFits::All);
   decoded.MakeContext(ContextFits::All);
   const Domain domain(ScalarType::Float32);
-  std::vector<ComponentKeys> truth(1);
+  std::vector<ComponentKeys> actual(1);
   for (const auto& place : decoded.GetPlaces())
   {
-    truth[0].Now.push_back(domain.FromNumber(place[0] * 3 - place[1] + std::sin(place[2])));
+    actual[0].Now.push_back(domain.FromNumber(place[0] * 3 - place[1] + std::sin(place[2])));
   }
   std::vector<SpatialMode> modes{ SpatialMode::Fit, SpatialMode::Gate };
   for (const auto& fit : { true, false })
   {
     auto context = encoded.Mesh.Context;
     context.Fit = fit ? context.Fit : nullptr;
-    const auto stream = EncodePointValues(context, { &domain, 1 }, truth);
-    auto found = truth;
+    const auto stream = EncodePointValues(context, { &domain, 1 }, actual);
+    auto found = actual;
     for (Vertex v = 0; v < found[0].Now.size(); ++v)
     {
       found[0].Now[v] = decoded.Walk.IsShared(v) ? found[0].Now[v] : 0;
     }
     DecodePointValues(stream, decoded.Context, { &domain, 1 }, found);
-    EXPECT_EQ(found[0].Now, truth[0].Now);
+    EXPECT_EQ(found[0].Now, actual[0].Now);
   }
-  truth[0].Now.clear();
+  actual[0].Now.clear();
   for (const auto cell : encoded.CellOrder)
   {
-    truth[0].Now.push_back(domain.FromNumber(static_cast<double>(cell)));
+    actual[0].Now.push_back(domain.FromNumber(static_cast<double>(cell)));
   }
-  const auto stream = EncodeCellValues({ encoded.Mesh.Walk.Parents }, { &domain, 1 }, truth);
-  auto found = truth;
+  const auto stream = EncodeCellValues({ encoded.Mesh.Walk.Parents }, { &domain, 1 }, actual);
+  auto found = actual;
   std::fill(found[0].Now.begin(), found[0].Now.end(), 0);
   DecodeCellValues(stream, { decoded.Walk.Parents }, { &domain, 1 }, found);
-  EXPECT_EQ(found[0].Now, truth[0].Now);
+  EXPECT_EQ(found[0].Now, actual[0].Now);
 }
 
 /** Encodes, decodes, and compares everything. */

@@ -197,11 +197,11 @@ TEST(QuadraticFit, PredictsQuadraticFunctions)
     {
       continue;
     }
-    const double truth = value(places[mesh.Context.OwnIds[own]]);
+    const double actual = value(places[mesh.Context.OwnIds[own]]);
     double a = 0, b = 0;
     for (std::size_t i = 0; i < neighbors.GetCount(); ++i)
     {
-      const double difference = value(places[neighbors.Ids[i]]) - truth;
+      const double difference = value(places[neighbors.Ids[i]]) - actual;
       a += neighbors.Quadratic[i] * difference;
       b += neighbors.Linear[i] * difference;
     }

@@ -234,10 +234,10 @@ void ExpectSmoothRoundTrips(const CellContext& context, const std::vector<Place>
   for (const auto type : { ScalarType::Float32, ScalarType::Float64, ScalarType::Int32 })
   {
     const Domain domain(type);
-    const auto truth = MakeKeys(places, domain, type == ScalarType::Int32 ? 1e7 : 1);
-    auto keys = truth;
+    const auto actual = MakeKeys(places, domain, type == ScalarType::Int32 ? 1e7 : 1);
+    auto keys = actual;
     const auto stream = RoundTrip(context, domain, keys);
-    EXPECT_EQ(keys.Now, truth.Now);
+    EXPECT_EQ(keys.Now, actual.Now);
     EXPECT_TRUE(IsQuadratic(ArrayModes::Read(stream).Spatial));
     const auto other = EncodeCellValues({ context.Parents }, { &domain, 1 }, { &keys, 1 });
     EXPECT_LT(stream.size(), other.size());
@@ -245,7 +245,7 @@ void ExpectSmoothRoundTrips(const CellContext& context, const std::vector<Place>
     // Changes of quadratic predictions.
     keys.Before = MakeKeys(places, domain, type == ScalarType::Int32 ? 1.03e7 : 1.03).Now;
     EXPECT_LT(RoundTrip(context, domain, keys).size(), stream.size());
-    EXPECT_EQ(keys.Now, truth.Now);
+    EXPECT_EQ(keys.Now, actual.Now);
   }
 }
 
@@ -283,23 +283,23 @@ TEST(QuadraticPlaces, BoundedValuesKeepTheirBound)
       MakeQuantizer(ScalarType::Float64, { ErrorKind::Absolute, bound }, FiniteRange{});
     ASSERT_TRUE(rounding);
     const Domain domain(ScalarType::Float64, rounding);
-    const auto truth = MakeKeys(places, domain, 1);
-    auto keys = truth;
+    const auto actual = MakeKeys(places, domain, 1);
+    auto keys = actual;
     const auto stream = RoundTrip({ parents, &fit }, domain, keys);
     EXPECT_TRUE(IsQuadratic(ArrayModes::Read(stream).Spatial));
     double largest = 0;
     for (std::size_t i = 0; i < places.size(); ++i)
     {
       largest =
-        std::max(largest, std::abs(domain.ToNumber(keys.Now[i]) - domain.ToNumber(truth.Now[i])));
+        std::max(largest, std::abs(domain.ToNumber(keys.Now[i]) - domain.ToNumber(actual.Now[i])));
     }
     EXPECT_LE(largest, bound);
     EXPECT_GT(largest, 0.5 * bound);
-    auto others = truth;
+    auto others = actual;
     EXPECT_LT(stream.size(), EncodeCellValues({ parents }, { &domain, 1 }, { &others, 1 }).size());
 
     // Values of blocks are on the lattice.
-    auto snapped = truth;
+    auto snapped = actual;
     for (auto& key : snapped.Now)
     {
       key = rounding.ToLattice(ScalarType::Float64, key);

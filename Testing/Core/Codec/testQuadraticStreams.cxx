@@ -28,18 +28,18 @@ using namespace gatun::test;
 
 /** Encodes and decodes values by all modes. Returns the spatial mode. */
 SpatialMode ExpectStreamRoundTrip(
-  const ChunkMesh& mesh, const Domain& domain, const ComponentKeys& truth)
+  const ChunkMesh& mesh, const Domain& domain, const ComponentKeys& actual)
 {
-  std::vector<ComponentKeys> keys{ truth };
+  std::vector<ComponentKeys> keys{ actual };
   const FloatEnvironment guard;
   const auto stream = EncodePointValues(mesh.Context, { &domain, 1 }, keys);
-  std::vector<ComponentKeys> found{ truth };
+  std::vector<ComponentKeys> found{ actual };
   for (const auto v : mesh.Context.OwnIds)
   {
     found[0].Now[v] = 0;
   }
   DecodePointValues(stream, mesh.Context, { &domain, 1 }, found);
-  EXPECT_EQ(found[0].Now, truth.Now);
+  EXPECT_EQ(found[0].Now, actual.Now);
   return ArrayModes::Read(stream).Spatial;
 }
 
@@ -91,18 +91,18 @@ void CodeByMode(Coder& coder, SpatialMode spatial, TemporalMode temporal, const 
 
 /** The same by both quadratic modes, whatever others would need. */
 void ExpectQuadraticRoundTrip(
-  const ChunkMesh& mesh, const Domain& domain, const ComponentKeys& truth)
+  const ChunkMesh& mesh, const Domain& domain, const ComponentKeys& actual)
 {
   const FloatEnvironment guard;
   for (const auto spatial : { SpatialMode::Quadratic, SpatialMode::PlainQuadratic })
   {
     for (const auto temporal : { TemporalMode::None, TemporalMode::Change })
     {
-      if (temporal != TemporalMode::None && truth.Before.empty())
+      if (temporal != TemporalMode::None && actual.Before.empty())
       {
         continue;
       }
-      auto keys = truth;
+      auto keys = actual;
       EntropyEncoder encoder;
       CodeByMode(encoder, spatial, temporal, mesh, domain, keys);
       const auto stream = encoder.Finish();
@@ -112,7 +112,7 @@ void ExpectQuadraticRoundTrip(
         keys.Now[v] = 0;
       }
       CodeByMode(decoder, spatial, temporal, mesh, domain, keys);
-      EXPECT_EQ(keys.Now, truth.Now);
+      EXPECT_EQ(keys.Now, actual.Now);
     }
   }
 }
@@ -146,12 +146,12 @@ TEST(QuadraticStreams, ValuesThatAreNotFiniteRoundTrip)
 /** Encodes one component after the other by the mode plain quadratic, and decodes all of them.
  * Returns the keys. */
 std::vector<ComponentKeys> ExpectComponentsRoundTrip(const ChunkMesh& mesh,
-  std::span<const Domain> domains, TemporalMode temporal, const std::vector<ComponentKeys>& truth)
+  std::span<const Domain> domains, TemporalMode temporal, const std::vector<ComponentKeys>& actual)
 {
   const FloatEnvironment guard;
   EntropyEncoder encoder;
-  auto keys = truth;
-  auto encoded = truth;
+  auto keys = actual;
+  auto encoded = actual;
   for (std::size_t c = 0; c < keys.size(); ++c)
   {
     CodePlain(encoder, temporal, OwnPoints{ mesh.Context }, false, domains.subspan(c, 1),
@@ -169,7 +169,7 @@ std::vector<ComponentKeys> ExpectComponentsRoundTrip(const ChunkMesh& mesh,
   for (std::size_t c = 0; c < keys.size(); ++c)
   {
     EXPECT_EQ(keys[c].Now, encoded[c].Now) << "component " << c << " of " << keys.size();
-    EXPECT_TRUE(domains[c].GetQuantizer() || keys[c].Now == truth[c].Now) << "component " << c;
+    EXPECT_TRUE(domains[c].GetQuantizer() || keys[c].Now == actual[c].Now) << "component " << c;
   }
   return keys;
 }

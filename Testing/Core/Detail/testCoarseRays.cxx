@@ -300,7 +300,7 @@ INSTANTIATE_TEST_SUITE_P(Values, CoarseImages, testing::Values(Association::Poin
 INSTANTIATE_TEST_SUITE_P(
   Values, CoarseRays, testing::Values(Association::Point, Association::Cell));
 
-TEST(CoarseRaysErrors, FilesWithoutATreeAndWrongWishes)
+TEST(CoarseRaysErrors, FilesWithoutATreeAndWrongSelections)
 {
   const auto mesh = MakeCubes(3, 0.2);
   const auto path = TempPath("norays.gtn");

@@ -5,7 +5,7 @@
 
 #include "gatunDetailWeights.h"
 #include "gatunError.h"
-#include "gatunMergeWish.h"
+#include "gatunMergeSelection.h"
 
 #include <gtest/gtest.h>
 
@@ -118,23 +118,23 @@ TEST(DetailWeights, AreFiniteAnywhere)
   EXPECT_TRUE(std::isfinite(weights.Get(Vec{ 0, 0, 10 }))); // the eye
 }
 
-TEST(MergeWish, TakesCheapMergesWhereLittleCounts)
+TEST(MergeSelection, TakesCheapMergesWhereLittleCounts)
 {
   const MergeTree tree(4, { { 0, 3, 1 }, { 1, 3, 2 }, { 2, 3, 4 } });
-  EXPECT_EQ(WantMerges(tree, std::vector<float>{ 1, 1, 1, 1 }, 2),
+  EXPECT_EQ(SelectMerges(tree, std::vector<float>{ 1, 1, 1, 1 }, 2),
     (std::vector<bool>{ true, true, false }));
-  EXPECT_EQ(WantMerges(tree, std::vector<float>{ 3, 1, 0, 1 }, 2),
+  EXPECT_EQ(SelectMerges(tree, std::vector<float>{ 3, 1, 0, 1 }, 2),
     (std::vector<bool>{ false, true, true }));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double tolerance : { 0.0, -1.0, nan })
   {
-    EXPECT_EQ(WantMerges(tree, std::vector<float>{ 3, 1, 0, 1 }, tolerance),
+    EXPECT_EQ(SelectMerges(tree, std::vector<float>{ 3, 1, 0, 1 }, tolerance),
       (std::vector<bool>{ false, false, true }));
   }
-  EXPECT_THROW(WantMerges(tree, std::vector<float>{ 1 }, 1), Error);
+  EXPECT_THROW(SelectMerges(tree, std::vector<float>{ 1 }, 1), Error);
 }
 
-TEST(MergeWish, FindsTheToleranceForANumber)
+TEST(MergeSelection, FindsTheToleranceForANumber)
 {
   std::mt19937 random(9);
   std::uniform_real_distribution<float> any(0, 5);
@@ -148,7 +148,7 @@ TEST(MergeWish, FindsTheToleranceForANumber)
   const MergeTree tree(300, std::move(merges));
   for (const std::size_t number : { 1u, 17u, 150u, 299u })
   {
-    const auto wanted = WantMerges(tree, weights, FindTolerance(tree, weights, number));
+    const auto wanted = SelectMerges(tree, weights, FindTolerance(tree, weights, number));
     EXPECT_EQ(static_cast<std::size_t>(std::count(wanted.begin(), wanted.end(), true)), number);
   }
   EXPECT_EQ(FindTolerance(tree, weights, 0), 0);

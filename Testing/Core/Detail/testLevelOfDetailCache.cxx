@@ -53,7 +53,7 @@ class FakeSource final : public RaySource
 {
 public:
   explicit FakeSource(std::shared_ptr<Record> record)
-    : Told(std::move(record))
+    : Reported(std::move(record))
   {
   }
 
@@ -62,14 +62,14 @@ public:
   Range GetRange(std::size_t) const override { return {}; }
   Blocks GetBlocks(std::span<const std::size_t> blocks, const Progress&) override
   {
-    const Alone alone(this->InUse, *this->Told);
+    const Alone alone(this->InUse, *this->Reported);
     for (const auto block : blocks)
     {
       if (!this->Made[block])
       {
-        this->Told->OnBlock();
+        this->Reported->OnBlock();
         this->Made[block] = true;
-        ++this->Told->Blocks;
+        ++this->Reported->Blocks;
       }
     }
     return Blocks(blocks.size());
@@ -78,7 +78,7 @@ public:
   std::map<std::size_t, bool> Made;
 
 private:
-  std::shared_ptr<Record> Told;
+  std::shared_ptr<Record> Reported;
   std::atomic<bool> InUse{ false };
   Bounds Box;
 };
@@ -87,7 +87,7 @@ class FakeLevels final : public LevelsOfDetail
 {
 public:
   explicit FakeLevels(std::shared_ptr<Record> record)
-    : Told(std::move(record))
+    : Reported(std::move(record))
   {
   }
 
@@ -95,9 +95,9 @@ public:
   std::uint64_t GetFewestPoints() const override { return 10; }
   std::shared_ptr<RaySource> MakeSource(std::uint64_t, std::uint64_t) override
   {
-    const Alone alone(this->InUse, *this->Told);
-    ++this->Told->Sources;
-    return std::make_shared<FakeSource>(this->Told);
+    const Alone alone(this->InUse, *this->Reported);
+    ++this->Reported->Sources;
+    return std::make_shared<FakeSource>(this->Reported);
   }
   /** With an error in pixels, a tenth of the points is enough. */
   DetailLevel MakeLevel(
@@ -109,7 +109,7 @@ public:
   std::uint64_t EstimateTets(std::uint64_t points) const override { return 5 * points; }
 
 private:
-  std::shared_ptr<Record> Told;
+  std::shared_ptr<Record> Reported;
   std::atomic<bool> InUse{ false };
 };
 
@@ -125,23 +125,23 @@ std::vector<DetailRequest> Uniform(const std::vector<std::uint64_t>& points)
 
 struct Sample
 {
-  std::shared_ptr<Record> Told = std::make_shared<Record>();
-  LevelOfDetailCache::Room Room{ std::uint64_t{ 1 } << 30, std::uint64_t{ 1 } << 30 };
+  std::shared_ptr<Record> Reported = std::make_shared<Record>();
+  LevelOfDetailCache::Limits Limits{ std::uint64_t{ 1 } << 30, std::uint64_t{ 1 } << 30 };
 
   std::unique_ptr<LevelOfDetailCache> Make()
   {
     auto levels = std::make_unique<LevelOfDetailCache>(
-      [told = this->Told](const RaySource::Progress& progress)
+      [told = this->Reported](const RaySource::Progress& progress)
       {
         told->Progress = progress;
         return std::make_shared<FakeLevels>(told);
       },
-      std::make_shared<FakeSource>(this->Told), this->Room);
+      std::make_shared<FakeSource>(this->Reported), this->Limits);
     levels->WaitForLevels();
     levels->Wait();
     // As if nothing had been made yet.
-    this->Told->Sources = 0;
-    this->Told->Blocks = 0;
+    this->Reported->Sources = 0;
+    this->Reported->Blocks = 0;
     return levels;
   }
 };
@@ -162,8 +162,8 @@ TEST(LevelOfDetailCache, WhatIsWantedBecomesReady)
   EXPECT_EQ(levels->FindReady({ 1, {} }).Points, Points / 8); // nobody had to ask
   levels->Prepare(Uniform({ 500, 2000, Points }));
   levels->Wait();
-  EXPECT_EQ(sample.Told->Sources, 2);
-  EXPECT_EQ(sample.Told->Blocks, 30);
+  EXPECT_EQ(sample.Reported->Sources, 2);
+  EXPECT_EQ(sample.Reported->Blocks, 30);
   EXPECT_EQ(levels->FindReady({ 500, {} }).Points, 500u);
   EXPECT_EQ(levels->FindReady({ 400, {} }).Points, 500u);
   EXPECT_EQ(levels->FindReady({ 1100, {} }).Points, 500u); // 1.1 halvings away against twice 0.9
@@ -171,7 +171,7 @@ TEST(LevelOfDetailCache, WhatIsWantedBecomesReady)
   EXPECT_EQ(levels->FindReady({ Points, {} }).Points, Points / 8);
   Draw(*levels->Get({ 500, {} }).Source);
   Draw(*levels->GetWhole());
-  EXPECT_EQ(sample.Told->Blocks, 30); // nothing was left to be made
+  EXPECT_EQ(sample.Reported->Blocks, 30); // nothing was left to be made
   EXPECT_EQ(levels->Get({ Points, {} }).Source, levels->GetWhole());
 }
 
@@ -202,17 +202,17 @@ TEST(LevelOfDetailCache, WhatIsNotReadyIsMadeAtOnce)
   Sample sample;
   const auto levels = sample.Make();
   const auto source = levels->Get({ 777, {} }).Source;
-  EXPECT_EQ(sample.Told->Sources, 1);
+  EXPECT_EQ(sample.Reported->Sources, 1);
   EXPECT_EQ(levels->Get({ 777, {} }).Source, source);
   EXPECT_EQ(levels->Get({ 1, {} }).Source, levels->Get({ 10, {} }).Source); // as few as can be
-  EXPECT_EQ(sample.Told->Sources, 2);
+  EXPECT_EQ(sample.Reported->Sources, 2);
 }
 
 //------------------------------------------------------------------------------
 TEST(LevelOfDetailCache, NoSourceIsUsedByTwoThreads)
 {
   Sample sample;
-  sample.Told->OnBlock = [] { std::this_thread::sleep_for(std::chrono::microseconds(300)); };
+  sample.Reported->OnBlock = [] { std::this_thread::sleep_for(std::chrono::microseconds(300)); };
   const auto levels = sample.Make();
   for (int frame = 0; frame < 200; ++frame)
   {
@@ -228,7 +228,7 @@ TEST(LevelOfDetailCache, NoSourceIsUsedByTwoThreads)
       levels->Get({ 5000 + static_cast<std::uint64_t>(frame), {} });
     }
   }
-  EXPECT_EQ(sample.Told->Clashes, 0);
+  EXPECT_EQ(sample.Reported->Clashes, 0);
 }
 
 //------------------------------------------------------------------------------
@@ -238,9 +238,9 @@ TEST(LevelOfDetailCache, WhatWasBegunIsGoneOnWith)
   const auto levels = sample.Make();
   std::latch begun(1);
   std::latch goOn(1);
-  sample.Told->OnBlock = [&]
+  sample.Reported->OnBlock = [&]
   {
-    if (sample.Told->Blocks == 4)
+    if (sample.Reported->Blocks == 4)
     {
       begun.count_down();
       goOn.wait();
@@ -251,11 +251,11 @@ TEST(LevelOfDetailCache, WhatWasBegunIsGoneOnWith)
   levels->Prepare({}); // stops the background after the block that it is at
   goOn.count_down();
   levels->Wait();
-  EXPECT_EQ(sample.Told->Blocks, 5);
+  EXPECT_EQ(sample.Reported->Blocks, 5);
   EXPECT_NE(levels->FindReady({ 500, {} }).Points, 500u);
   Draw(*levels->Get({ 500, {} }).Source);
-  EXPECT_EQ(sample.Told->Sources, 1);
-  EXPECT_EQ(sample.Told->Blocks, 10);
+  EXPECT_EQ(sample.Reported->Sources, 1);
+  EXPECT_EQ(sample.Reported->Blocks, 10);
 }
 
 //------------------------------------------------------------------------------
@@ -265,10 +265,10 @@ TEST(LevelOfDetailCache, TheEndDoesNotWaitForWhatIsWanted)
   std::latch begun(1);
   {
     const auto levels = sample.Make();
-    sample.Told->OnBlock = [&]
+    sample.Reported->OnBlock = [&]
     {
       begun.count_down();
-      while (sample.Told->Progress(0)) // until the cache ends
+      while (sample.Reported->Progress(0)) // until the cache ends
       {
         std::this_thread::yield();
       }
@@ -276,15 +276,15 @@ TEST(LevelOfDetailCache, TheEndDoesNotWaitForWhatIsWanted)
     levels->Prepare(Uniform({ 500, 600, 700, 800, 900, 1000, Points }));
     begun.wait();
   }
-  EXPECT_EQ(sample.Told->Sources, 1);
-  EXPECT_EQ(sample.Told->Blocks, 1);
+  EXPECT_EQ(sample.Reported->Sources, 1);
+  EXPECT_EQ(sample.Reported->Blocks, 1);
 }
 
 //------------------------------------------------------------------------------
 TEST(LevelOfDetailCache, TheLeastRecentlyUsedAreRemovedFirst)
 {
   Sample sample;
-  sample.Room.Simpler = 64 * 5 * 3000; // 3000 points
+  sample.Limits.Simpler = 64 * 5 * 3000; // 3000 points
   const auto levels = sample.Make();
   const auto first = levels->Get({ 1000, {} }).Source;
   const auto second = levels->Get({ 1001, {} }).Source;

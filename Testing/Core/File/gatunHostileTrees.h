@@ -37,8 +37,8 @@ inline const TreeImage& GetGoodImage()
     const auto merges = static_cast<std::uint32_t>(sample.Tree.GetMerges().size());
     WriteTreeSample(path, sample, options, { merges / 3, merges / 2 });
     TreeImage made(path);
-    // More rungs than so few points get. The ranges of the last hold for all.
-    made.Tree.Rungs = { 2, merges / 2, merges };
+    // More merge counts than so few points get. The ranges of the last hold for all.
+    made.Tree.MergeCounts = { 2, merges / 2, merges };
     for (auto& boxes : made.Tree.Boxes)
     {
       boxes.resize(3, boxes.back());

@@ -57,7 +57,7 @@ public:
     this->Merges = EncodeMerges(tree, CountMergeablePoints(this->Meta, this->IsSurface()),
       this->IsSurface() ? MergeKind::Surface : MergeKind::Tetrahedra);
     this->Tree.Merges = static_cast<std::uint32_t>(tree.GetMerges().size());
-    this->Tree.Rungs.back() = this->Tree.Merges;
+    this->Tree.MergeCounts.back() = this->Tree.Merges;
   }
 
   bool IsSurface() const

@@ -215,7 +215,7 @@ TEST_F(HostileMemory, ManyStepsWithLargeRangesAfterMerges)
   TreeTable tree;
   tree.Merges = 1;
   tree.Stream = { 1u << 20, 9, 0 };
-  tree.Rungs = { 1 };
+  tree.MergeCounts = { 1 };
   tree.Boxes.assign(1, std::vector<Bounds>(1));
   TreeStepTable ranges;
   ranges.Ranges.assign(1, { { ArrayRanges(65537) } });

@@ -60,7 +60,7 @@ TEST(HostileSurfaceTrees, ATreeMustBeThatOfTheSurface)
     [=](TreeImage& f)
     {
       f.Tree.Merges = points + 1;
-      f.Tree.Rungs.back() = points + 1;
+      f.Tree.MergeCounts.back() = points + 1;
     });
   ExpectSurfaceRefused("the merges have no stream", [](TreeImage& f) { f.Merges.clear(); });
   ExpectSurfaceRefused("the bounds of chunks after merges are not all there",
@@ -80,7 +80,7 @@ TEST(HostileSurfaceTrees, NothingBelongsToTheLastMerge)
       f.SetMerges(
         MergeTree(points, { { 3, 4, 0 }, { 5, 6, 0 }, { 7, 8, 0 } }, { false, true, false }));
       f.Tree.Merges = merges;
-      f.Tree.Rungs = { merges };
+      f.Tree.MergeCounts = { merges };
       for (auto& boxes : f.Tree.Boxes)
       {
         boxes.resize(1);

@@ -35,14 +35,14 @@ TEST(HostileTrees, ATreeMustBeThatOfTheMesh)
     [=](TreeImage& f)
     {
       f.Tree.Merges = points + 1; // as many as points, but two of them are unused
-      f.Tree.Rungs.back() = points + 1;
+      f.Tree.MergeCounts.back() = points + 1;
     });
   ExpectRefused("the merges have no stream", [](TreeImage& f) { f.Merges.clear(); });
   ExpectRefused("the merges have no stream",
     [](TreeImage& f)
     {
       f.Tree.Merges = 0;
-      f.Tree.Rungs.clear();
+      f.Tree.MergeCounts.clear();
       f.Tree.Levels.clear();
       f.Levels.clear();
       f.Tree.Boxes.assign(f.Tree.Boxes.size(), {});
@@ -65,25 +65,26 @@ TEST(HostileTrees, MeshesOfTooManyPointsHaveNoTree)
 TEST(HostileTrees, RungsMustAscendToAllMerges)
 {
   const std::string ascend = "numbers of merges do not ascend";
-  const std::string last = "the last rung is not that of all merges";
-  ExpectRefused(ascend, [](TreeImage& f) { f.Tree.Rungs[0] = 0; });
-  ExpectRefused(ascend, [](TreeImage& f) { f.Tree.Rungs[0] = f.Tree.Rungs[1]; });
-  ExpectRefused(ascend, [](TreeImage& f) { std::swap(f.Tree.Rungs[0], f.Tree.Rungs[1]); });
-  ExpectRefused(ascend, [](TreeImage& f) { ++f.Tree.Rungs.back(); });
-  ExpectRefused(last, [](TreeImage& f) { --f.Tree.Rungs.back(); });
+  const std::string last = "the last merge count is not that of all merges";
+  ExpectRefused(ascend, [](TreeImage& f) { f.Tree.MergeCounts[0] = 0; });
+  ExpectRefused(ascend, [](TreeImage& f) { f.Tree.MergeCounts[0] = f.Tree.MergeCounts[1]; });
+  ExpectRefused(
+    ascend, [](TreeImage& f) { std::swap(f.Tree.MergeCounts[0], f.Tree.MergeCounts[1]); });
+  ExpectRefused(ascend, [](TreeImage& f) { ++f.Tree.MergeCounts.back(); });
+  ExpectRefused(last, [](TreeImage& f) { --f.Tree.MergeCounts.back(); });
   ExpectRefused(last,
     [](TreeImage& f)
     {
-      f.Tree.Rungs.clear();
+      f.Tree.MergeCounts.clear();
       f.Tree.Boxes.assign(f.Tree.Boxes.size(), {});
     });
-  ExpectRefused("there are too many rungs or levels",
+  ExpectRefused("there are too many merge counts or levels",
     [](TreeImage& f)
     {
       // Each is right, but they are too many.
       f.Tree.Merges = 100;
-      f.Tree.Rungs.resize(65);
-      std::iota(f.Tree.Rungs.begin(), f.Tree.Rungs.end(), 36u);
+      f.Tree.MergeCounts.resize(65);
+      std::iota(f.Tree.MergeCounts.begin(), f.Tree.MergeCounts.end(), 36u);
       ByteWriter content;
       content.PutVarint(1);
       PutStream(content, { 16, 20, 0 });
@@ -224,7 +225,7 @@ TEST(HostileTrees, MergesMustFollowFromEachOther)
     {
       f.Merges = EncodeAnything(points, merges);
       f.Tree.Merges = 2;
-      f.Tree.Rungs = { 1, 2 };
+      f.Tree.MergeCounts = { 1, 2 };
       for (auto& boxes : f.Tree.Boxes)
       {
         boxes.resize(2);

@@ -497,7 +497,7 @@ TEST_P(TreeFileRead, RangesAreThoseOfAllThatPointsAreMergedInto)
 
   const auto used = points - static_cast<std::uint32_t>(this->File->GetNumberOfUnusedPoints());
   const auto all = static_cast<std::uint32_t>(merges.size());
-  EXPECT_EQ(layout.GetRungs(), (std::vector<std::uint32_t>{ used - used / 2, all }));
+  EXPECT_EQ(layout.GetMergeCounts(), (std::vector<std::uint32_t>{ used - used / 2, all }));
 
   // So that each merge counts, the last one too: values are larger the later a point is gone.
   std::vector<double> values(points, 0);
@@ -522,7 +522,7 @@ TEST_P(TreeFileRead, RangesAreThoseOfAllThatPointsAreMergedInto)
   }
   for (std::uint32_t chunk = 0; chunk < ranges.size(); ++chunk)
   {
-    for (std::size_t rung = 0; rung < layout.GetRungs().size(); ++rung)
+    for (std::size_t mergeCount = 0; mergeCount < layout.GetMergeCounts().size(); ++mergeCount)
     {
       Range expected;
       for (auto point : chunks.GetPoints(chunk))
@@ -534,11 +534,11 @@ TEST_P(TreeFileRead, RangesAreThoseOfAllThatPointsAreMergedInto)
             expected.Min = std::min(expected.Min, values[point]);
             expected.Max = std::max(expected.Max, values[point]);
           }
-          more = when[point] < layout.GetRungs()[rung];
+          more = when[point] < layout.GetMergeCounts()[mergeCount];
         }
       }
-      EXPECT_EQ(ranges[chunk][rung].Min, expected.Min);
-      EXPECT_EQ(ranges[chunk][rung].Max, expected.Max);
+      EXPECT_EQ(ranges[chunk][mergeCount].Min, expected.Min);
+      EXPECT_EQ(ranges[chunk][mergeCount].Max, expected.Max);
     }
   }
 }

@@ -101,11 +101,11 @@ private:
     {
       this->AddDependencies();
     }
-    this->Out << "\nrungs";
-    this->Rungs = InternalsOf(*this->File).Tree->Rungs;
-    for (const auto rung : this->Rungs)
+    this->Out << "\nmerge_counts";
+    this->MergeCounts = InternalsOf(*this->File).Tree->MergeCounts;
+    for (const auto mergeCount : this->MergeCounts)
     {
-      this->Out << " " << rung;
+      this->Out << " " << mergeCount;
     }
     this->Out << "\nlevels";
     for (const auto level : this->File->GetLevels())
@@ -133,16 +133,16 @@ private:
     this->Out << "\ndependencies " << all << " " << GetSum(bytes);
   }
 
-  /** Of each chunk, for each rung: what holds for that many merges. */
+  /** Of each chunk, for each merge count: what holds for that many merges. */
   template <typename GetRanges>
   std::string SumRanges(GetRanges&& getRanges) const
   {
     ByteWriter bytes;
     for (std::size_t chunk = 0; chunk < this->File->GetChunks().size(); ++chunk)
     {
-      for (const auto rung : this->Rungs)
+      for (const auto mergeCount : this->MergeCounts)
       {
-        for (const Range& range : getRanges(chunk, rung))
+        for (const Range& range : getRanges(chunk, mergeCount))
         {
           Put(bytes, range);
         }
@@ -226,7 +226,7 @@ private:
 
   std::shared_ptr<const FileReader> File;
   std::shared_ptr<const MergeTree> Tree;
-  std::vector<std::uint32_t> Rungs;
+  std::vector<std::uint32_t> MergeCounts;
 };
 
 TEST(TreeGolden, FilesAreReadAsAnIndependentDecoderDoes)

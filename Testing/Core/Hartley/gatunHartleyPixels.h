@@ -61,10 +61,10 @@ void ForEachPixel(const HartleyView& view, Use&& use)
 }
 
 /** Densities are as bright as they are large, and as opaque. */
-inline HartleyShading MakeGray(HartleyOpacityModel law)
+inline HartleyShading MakeGray(HartleyOpacityModel opacities)
 {
   HartleyShading shading;
-  shading.OpacityModel = law;
+  shading.OpacityModel = opacities;
   for (int i = 0; i < 256; ++i)
   {
     const float part = static_cast<float>(i) / 255;

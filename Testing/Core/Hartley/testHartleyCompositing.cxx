@@ -50,24 +50,25 @@ constexpr auto XRay = HartleyOpacityModel::XRay;
 constexpr auto Exponential = HartleyOpacityModel::Exponential;
 constexpr auto Transfer = HartleyOpacityModel::TransferFunction;
 
-/** A law with a table of noise. */
-struct Law
+/** An opacity model with a table of noise. */
+struct Opacity
 {
-  Law(HartleyOpacityModel model, std::size_t planes, Numbers& numbers)
-    : Table(numbers.List(planes * HartleyLaw::TableSize, 0, 1))
+  Opacity(HartleyOpacityModel model, std::size_t planes, Numbers& numbers)
+    : Table(numbers.List(planes * HartleyOpacity::TableSize, 0, 1))
     , Kernel{ model, planes, 10, 5, 90, 8, 45, 0.02f, -3, this->Table.data() }
   {
   }
 
   std::vector<float> Table;
-  HartleyLaw Kernel;
+  HartleyOpacity Kernel;
 };
 
 /** Equations 6 to 10 for one point. */
-void AddPoint(const HartleyLaw& law, double first, double samples, std::vector<double>& channels)
+void AddPoint(
+  const HartleyOpacity& opacities, double first, double samples, std::vector<double>& channels)
 {
   double& last = channels.back();
-  if (law.Model == XRay)
+  if (opacities.Model == XRay)
   {
     channels[0] += samples > 0 ? first : 0;
     last += std::max(0.0, samples);
@@ -77,19 +78,21 @@ void AddPoint(const HartleyLaw& law, double first, double samples, std::vector<d
   {
     return;
   }
-  const double mean = std::clamp<double>(first / samples + law.Base, law.Least, law.Most);
-  const auto entry = static_cast<std::size_t>(
-    std::clamp<double>((mean - law.First) * law.PerDensity + 0.5, 0, HartleyLaw::TableSize - 1));
-  const double depth = law.Model == Exponential
-    ? law.Extinction * std::max(0.0, first + samples * law.Zero)
-    : samples * law.Table[(law.Planes - 1) * HartleyLaw::TableSize + entry];
-  const double through = law.Model == Exponential ? std::exp(-last) : 1 - last;
+  const double mean =
+    std::clamp<double>(first / samples + opacities.Base, opacities.Least, opacities.Most);
+  const auto entry = static_cast<std::size_t>(std::clamp<double>(
+    (mean - opacities.First) * opacities.PerDensity + 0.5, 0, HartleyOpacity::TableSize - 1));
+  const double depth = opacities.Model == Exponential
+    ? opacities.Extinction * std::max(0.0, first + samples * opacities.Zero)
+    : samples * opacities.Table[(opacities.Planes - 1) * HartleyOpacity::TableSize + entry];
+  const double through = opacities.Model == Exponential ? std::exp(-last) : 1 - last;
   const double opacity = -std::expm1(-depth);
-  for (std::size_t color = 0; color + 1 < law.Planes; ++color)
+  for (std::size_t color = 0; color + 1 < opacities.Planes; ++color)
   {
-    channels[color] += through * opacity * law.Table[color * HartleyLaw::TableSize + entry];
+    channels[color] +=
+      through * opacity * opacities.Table[color * HartleyOpacity::TableSize + entry];
   }
-  last += law.Model == Exponential ? depth : through * opacity;
+  last += opacities.Model == Exponential ? depth : through * opacity;
 }
 
 double GetCubic(double distance)
@@ -115,13 +118,14 @@ double Interpolate(const HartleyPlanes& slab, std::size_t plane, double x, doubl
 }
 
 void AddPixel(
-  const HartleyLaw& law, const std::vector<double>& channels, std::vector<double>& pixel)
+  const HartleyOpacity& opacities, const std::vector<double>& channels, std::vector<double>& pixel)
 {
   const double opaque = std::max(0.0, channels.back());
-  const double opacity = law.Model == Exponential ? -std::expm1(-opaque) : std::min(1.0, opaque);
+  const double opacity =
+    opacities.Model == Exponential ? -std::expm1(-opaque) : std::min(1.0, opaque);
   for (std::size_t i = 0; i < pixel.size(); ++i)
   {
-    if (law.Model == XRay)
+    if (opacities.Model == XRay)
     {
       pixel[i] += channels[i];
     }
@@ -136,19 +140,19 @@ void AddPixel(
   }
 }
 
-std::vector<Law> MakeLaws(Numbers& numbers)
+std::vector<Opacity> MakeOpacities(Numbers& numbers)
 {
-  std::vector<Law> laws;
-  laws.reserve(5);
+  std::vector<Opacity> models;
+  models.reserve(5);
   for (const auto model : { XRay, Exponential, Transfer })
   {
-    laws.emplace_back(model, 2, numbers);
+    models.emplace_back(model, 2, numbers);
     if (model != XRay)
     {
-      laws.emplace_back(model, 4, numbers);
+      models.emplace_back(model, 4, numbers);
     }
   }
-  return laws;
+  return models;
 }
 }
 
@@ -158,10 +162,10 @@ TEST(HartleyCompositing, BlocksByTheEquations)
   constexpr std::size_t width = 21;
   constexpr std::size_t stride = 24;
   Numbers numbers;
-  for (Law& law : MakeLaws(numbers))
+  for (Opacity& opacities : MakeOpacities(numbers))
   {
-    law.Kernel.Table = law.Table.data();
-    const auto before = numbers.List(law.Kernel.Planes * stride, 0, 0.9f);
+    opacities.Kernel.Table = opacities.Table.data();
+    const auto before = numbers.List(opacities.Kernel.Planes * stride, 0, 0.9f);
     const auto image = numbers.List(stride, -20, 900);
     // Rays beside the block and such that only touch it.
     auto unit = numbers.List(stride, -1, 12);
@@ -173,20 +177,20 @@ TEST(HartleyCompositing, BlocksByTheEquations)
       for (const HartleyKernelLoops* const kernel : GetKernels())
       {
         auto planes = before;
-        kernel->AddBlock(law.Kernel, sums, unit.data(), width, planes.data(), stride);
+        kernel->AddBlock(opacities.Kernel, sums, unit.data(), width, planes.data(), stride);
         for (std::size_t i = 0; i < stride; ++i)
         {
           std::vector<double> expected;
-          for (std::size_t plane = 0; plane < law.Kernel.Planes; ++plane)
+          for (std::size_t plane = 0; plane < opacities.Kernel.Planes; ++plane)
           {
             expected.push_back(before[plane * stride + i]);
           }
-          AddPoint(law.Kernel, sums ? sums[i] : 0, unit[i], expected);
-          for (std::size_t plane = 0; plane < law.Kernel.Planes; ++plane)
+          AddPoint(opacities.Kernel, sums ? sums[i] : 0, unit[i], expected);
+          for (std::size_t plane = 0; plane < opacities.Kernel.Planes; ++plane)
           {
             EXPECT_NEAR(planes[plane * stride + i], expected[plane],
               1e-6 * std::max(1.0, std::abs(expected[plane])))
-              << static_cast<int>(law.Kernel.Model) << " " << plane << " " << i;
+              << static_cast<int>(opacities.Kernel.Model) << " " << plane << " " << i;
           }
         }
       }
@@ -199,18 +203,18 @@ TEST(HartleyCompositing, BlocksByTheEquations)
 TEST(HartleyCompositing, FaintBlocksAreNotLost)
 {
   Numbers numbers;
-  Law law(Exponential, 2, numbers);
-  std::fill(law.Table.begin(), law.Table.end(), 1.0f);
-  law.Kernel.Zero = 0;
+  Opacity opacities(Exponential, 2, numbers);
+  std::fill(opacities.Table.begin(), opacities.Table.end(), 1.0f);
+  opacities.Kernel.Zero = 0;
   for (const HartleyKernelLoops* const kernel : GetKernels())
   {
     for (const float depth : { 1e-12f, 1e-6f, 1e-3f, 0.1f, 0.7f, 5.0f, 80.0f, 1e6f })
     {
       std::array<float, 8> image{}, unit{};
-      image.fill(depth / law.Kernel.Extinction);
+      image.fill(depth / opacities.Kernel.Extinction);
       unit.fill(1);
       std::array<float, 16> planes{};
-      kernel->AddBlock(law.Kernel, image.data(), unit.data(), 8, planes.data(), 8);
+      kernel->AddBlock(opacities.Kernel, image.data(), unit.data(), 8, planes.data(), 8);
       const double expected = -std::expm1(-static_cast<double>(depth));
       EXPECT_NEAR(planes[5], expected, 4e-7 * expected);
     }
@@ -225,10 +229,10 @@ TEST(HartleyCompositing, SlabsByTheEquations)
   constexpr std::size_t count = 13;
   constexpr std::size_t plane = 20; // of the pixels
   Numbers numbers;
-  for (Law& law : MakeLaws(numbers))
+  for (Opacity& opacities : MakeOpacities(numbers))
   {
-    law.Kernel.Table = law.Table.data();
-    const std::size_t planes = law.Kernel.Planes;
+    opacities.Kernel.Table = opacities.Table.data();
+    const std::size_t planes = opacities.Kernel.Planes;
     const auto values = numbers.List(planes * stride * rows, -0.2f, 1.2f);
     const HartleyPlanes slab{ values.data(), stride, stride * rows, 37, 27 };
     const auto before = numbers.List(planes * plane, 0, 1);
@@ -238,7 +242,7 @@ TEST(HartleyCompositing, SlabsByTheEquations)
       for (const HartleyKernelLoops* const kernel : GetKernels())
       {
         auto pixels = before;
-        kernel->AddSlab(law.Kernel, slab, row, pixels.data(), plane);
+        kernel->AddSlab(opacities.Kernel, slab, row, pixels.data(), plane);
         for (std::size_t i = 0; i < plane; ++i)
         {
           std::vector<double> expected, channels;
@@ -252,12 +256,12 @@ TEST(HartleyCompositing, SlabsByTheEquations)
           }
           if (i < count)
           {
-            AddPixel(law.Kernel, channels, expected);
+            AddPixel(opacities.Kernel, channels, expected);
           }
           for (std::size_t k = 0; k < planes; ++k)
           {
             EXPECT_NEAR(pixels[k * plane + i], expected[k], 2e-6)
-              << static_cast<int>(law.Kernel.Model) << " " << k << " " << i;
+              << static_cast<int>(opacities.Kernel.Model) << " " << k << " " << i;
           }
         }
       }

@@ -24,7 +24,7 @@ using Triple = HartleyLayout::Triple;
 
 //------------------------------------------------------------------------------
 // Equation 6: the opacity of a ray is that of its integral, whatever the blocks are.
-TEST(HartleyOpacity, ExponentialLawIsExact)
+TEST(HartleyOpacity, ExponentialModelIsExact)
 {
   const auto volume = MakeHead({ 37, 33, 35 });
   const ReferenceVolume reference(volume.Values.data(), volume.Size, 0);
@@ -100,7 +100,7 @@ TEST(HartleyOpacity, ScatteredSpotsAreDrawn)
 
 //------------------------------------------------------------------------------
 // Densities may count from any value on, whatever the smallest is.
-TEST(HartleyOpacity, ExponentialLawCountsFromZero)
+TEST(HartleyOpacity, ExponentialModelCountsFromZero)
 {
   auto volume = MakeSmooth({ 19, 17, 18 });
   for (float& value : volume.Values)

@@ -163,9 +163,9 @@ TEST(HartleyReference, SamplesHaveTheirPhase)
   EXPECT_EQ(volume.GetWeight(AddTimes(place, static_cast<double>(samples.End), step)), 0);
 }
 
-/** Under the exponential law the opacity is that of the sum; of a constant, colors are in closed
+/** Under the exponential model the opacity is that of the sum; of a constant, colors are in closed
  * form under any. */
-TEST(HartleyReference, CastsByTheLaws)
+TEST(HartleyReference, CastsByTheModels)
 {
   const auto head = MakeHead({ 20, 20, 20 });
   const ReferenceVolume volume(head.Values.data(), head.Size, 0);

@@ -143,7 +143,7 @@ struct Wish
   std::function<bool(const Vec&, double)> IsWanted;
 };
 
-std::vector<Wish> MakeWishes()
+std::vector<Wish> MakeSelections()
 {
   const Vec eye{ 1, 1, 1 };
   const auto distance = [=](const Vec& p)
@@ -214,7 +214,7 @@ TEST(MergeCut, HasNoInvertedTetrahedraAndCoversEachPlaceOnce)
   {
     const Ball ball(8, seed);
     ASSERT_EQ(ball.CountCoveredTwice(ball.Tets), 0u);
-    for (const Wish& wish : MakeWishes())
+    for (const Wish& wish : MakeSelections())
     {
       SCOPED_TRACE(wish.Name);
       const auto wanted = ball.Want(wish.IsWanted);
@@ -277,7 +277,7 @@ TEST(MergeCut, HasTetrahedraThatTheWholeSequenceHas)
       std::replace(tet.begin(), tet.end(), merge.Point, merge.Into);
     }
   }
-  for (const Wish& wish : MakeWishes())
+  for (const Wish& wish : MakeSelections())
   {
     SCOPED_TRACE(wish.Name);
     const MergeCut cut(ball.Tree, ball.Dependencies, ball.Want(wish.IsWanted));
@@ -297,7 +297,7 @@ TEST(MergeCut, HasTetrahedraThatTheWholeSequenceHas)
 TEST(MergeCut, IsTheLargestOneThatIsWanted)
 {
   const Ball ball(6);
-  for (const Wish& wish : MakeWishes())
+  for (const Wish& wish : MakeSelections())
   {
     SCOPED_TRACE(wish.Name);
     const auto wanted = ball.Want(wish.IsWanted);

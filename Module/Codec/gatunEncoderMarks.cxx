@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gatunMarkTruth.h"
+#include "gatunEncoderMarks.h"
 
 #include "gatunCellNodes.h"
 #include "gatunVertexHash.h"
@@ -38,7 +38,7 @@ bool HasAllNodes(std::uint8_t type, unsigned degree, std::size_t points)
   return HasNodes(type) ? CanFindCellNodes(type, points) : points == degree;
 }
 
-MarkTruth::MarkTruth(const CellList& cells, std::span<const std::uint32_t> candidates)
+EncoderMarks::EncoderMarks(const CellList& cells, std::span<const std::uint32_t> candidates)
   : Cells(cells)
   , Taken(cells.GetNumber(), 0)
 {
@@ -55,7 +55,7 @@ MarkTruth::MarkTruth(const CellList& cells, std::span<const std::uint32_t> candi
   }
 }
 
-bool MarkTruth::FindCell(std::span<const std::uint32_t> face)
+bool EncoderMarks::FindCell(std::span<const std::uint32_t> face)
 {
   const auto [begin, end] = this->Found.equal_range(HashVertices(face));
   for (auto it = begin; it != end; ++it)
@@ -69,7 +69,7 @@ bool MarkTruth::FindCell(std::span<const std::uint32_t> face)
   return false;
 }
 
-bool MarkTruth::FindTurn(std::uint32_t cell, std::span<const std::uint32_t> face)
+bool EncoderMarks::FindTurn(std::uint32_t cell, std::span<const std::uint32_t> face)
 {
   const auto corners = this->Cells.GetCorners(cell);
   const auto degree = static_cast<unsigned>(face.size());

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef gatunMarkTruth_h
-#define gatunMarkTruth_h
+#ifndef gatunEncoderMarks_h
+#define gatunEncoderMarks_h
 
 #include "gatunCellList.h"
 
@@ -35,11 +35,11 @@ constexpr unsigned GetMarkPlace(unsigned turn, unsigned i, unsigned degree)
 }
 
 /** The cells of an encoder's input that may be faces of others. */
-class MarkTruth
+class EncoderMarks
 {
 public:
   /** candidates: the cells that no walk takes. */
-  MarkTruth(const CellList& cells, std::span<const std::uint32_t> candidates);
+  EncoderMarks(const CellList& cells, std::span<const std::uint32_t> candidates);
 
   /** Whether there may be one. */
   bool HasCells() const { return !this->Found.empty(); }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef gatunSurfaceTruth_h
-#define gatunSurfaceTruth_h
+#ifndef gatunEncoderSurface_h
+#define gatunEncoderSurface_h
 
 #include "gatunCellList.h"
 
@@ -16,13 +16,14 @@ namespace gatun
 constexpr std::uint32_t MaxWalkedCorners = 32767;
 
 /** The cells of an encoder's input that a walk over surfaces can take, by their edges. */
-class SurfaceTruth
+class EncoderSurface
 {
 public:
   /** candidates: the cells that may be taken. Those that have no edge in common with another one
    * are not. keepCorners: whether triangles keep their first corner. Otherwise they begin with any
    * one that is found by itself, and keep their orientation. */
-  SurfaceTruth(const CellList& cells, std::span<const std::uint32_t> candidates, bool keepCorners);
+  EncoderSurface(
+    const CellList& cells, std::span<const std::uint32_t> candidates, bool keepCorners);
 
   /** Whether there is any cell. */
   bool HasCells() const { return this->Number > 0; }

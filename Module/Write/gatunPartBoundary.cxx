@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gatunPartSkin.h"
+#include "gatunPartBoundary.h"
 
 #include "gatunCellShapes.h"
 #include "gatunCellSides.h"
@@ -37,10 +37,10 @@ struct Side
 };
 
 /** Finds the sides of single cells, first in each chunk and then in what is left of all. */
-class SkinFinder
+class BoundaryFinder
 {
 public:
-  SkinFinder(const MeshAccess& mesh, const Partition& layout)
+  BoundaryFinder(const MeshAccess& mesh, const Partition& layout)
     : Mesh(mesh)
     , Layout(layout)
     , Marks(static_cast<std::size_t>(mesh.GetMesh().Points))
@@ -183,8 +183,8 @@ private:
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::uint8_t> FindSkin(const MeshAccess& mesh, const Partition& layout)
+std::vector<std::uint8_t> FindPartBoundary(const MeshAccess& mesh, const Partition& layout)
 {
-  return SkinFinder(mesh, layout).Find();
+  return BoundaryFinder(mesh, layout).Find();
 }
 }

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Series in which cells die are drawn from their files: the picture of each step is that of the living
+"""Series in which cells die are drawn from their files: the picture of each step is that of the remaining
 cells in memory, at rest and in motion, by mapper and ray caster."""
 
 import numpy as np
@@ -31,7 +31,7 @@ def step(index, drops):
     return grid
 
 
-path = gv.gm.temporary("dying_pictures.gtn")
+path = gv.gm.temporary("deleted_pictures.gtn")
 for drops in (False, True):
     writer = vtkGatunWriter()
     connect(writer, TimeSource(lambda index: step(index, drops), TIMES))

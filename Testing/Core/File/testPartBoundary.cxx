@@ -3,7 +3,7 @@
 
 // The points that other parts may have, in meshes whose boundaries are known.
 
-#include "gatunPartSkin.h"
+#include "gatunPartBoundary.h"
 
 #include "gatunCellMixture.h"
 #include "gatunTestMeshes.h"
@@ -34,12 +34,12 @@ bool IsOnBoundary(std::int64_t x)
 }
 
 /** Expects that exactly the points of a kind are marked, whatever the chunks are. */
-void ExpectSkin(const MeshInput& input, const std::function<bool(std::size_t)>& isSkin)
+void ExpectBoundary(const MeshInput& input, const std::function<bool(std::size_t)>& isSkin)
 {
   const MeshAccess mesh(input);
   for (const std::uint32_t chunkCells : { 7u, 50u, 100000u })
   {
-    const auto marks = FindSkin(mesh, MakePartition(mesh, chunkCells, {}));
+    const auto marks = FindPartBoundary(mesh, MakePartition(mesh, chunkCells, {}));
     ASSERT_EQ(marks.size(), input.Points);
     for (std::size_t p = 0; p < marks.size(); ++p)
     {
@@ -55,12 +55,12 @@ bool IsOnSurface(std::size_t point)
 }
 }
 
-TEST(PartSkin, TetrahedraHaveTheirSurface)
+TEST(PartBoundary, TetrahedraHaveTheirSurface)
 {
-  ExpectSkin(MakeCubes(N, 0.2).GetInput(), IsOnSurface);
+  ExpectBoundary(MakeCubes(N, 0.2).GetInput(), IsOnSurface);
 }
 
-TEST(PartSkin, SolidsOfSeveralTypesHaveTheirSurface)
+TEST(PartBoundary, SolidsOfSeveralTypesHaveTheirSurface)
 {
   Mixture mesh(0);
   mesh.Coordinates.resize(3 * Row * Row * Row);
@@ -76,7 +76,7 @@ TEST(PartSkin, SolidsOfSeveralTypesHaveTheirSurface)
     // Hexahedra and polyhedra: wedges would divide faces otherwise than their neighbors.
     mesh.AddCube(N, { i % N, i / N % N, i / (N * N) }, 1 + static_cast<unsigned>(i % 2));
   }
-  ExpectSkin(mesh.GetInput(), IsOnSurface);
+  ExpectBoundary(mesh.GetInput(), IsOnSurface);
   // A line inside, and a quadrilateral: their ends and edges, and what they have with solids.
   const auto id = [](std::int64_t x, std::int64_t y, std::int64_t z)
   { return (z * Row + y) * Row + x; };
@@ -84,11 +84,11 @@ TEST(PartSkin, SolidsOfSeveralTypesHaveTheirSurface)
   mesh.AddCell(Quad, { id(1, 1, 1), id(2, 1, 1), id(2, 2, 1), id(1, 2, 1) });
   const std::set<std::int64_t> more{ id(2, 2, 2), id(4, 4, 4), id(1, 1, 1), id(2, 1, 1),
     id(2, 2, 1), id(1, 2, 1) };
-  ExpectSkin(mesh.GetInput(),
+  ExpectBoundary(mesh.GetInput(),
     [&](std::size_t p) { return IsOnSurface(p) || more.count(static_cast<std::int64_t>(p)) > 0; });
 }
 
-TEST(PartSkin, SurfacesAndLinesHaveTheirEnds)
+TEST(PartBoundary, SurfacesAndLinesHaveTheirEnds)
 {
   Mixture surface(0);
   Mixture lines(0);
@@ -106,20 +106,20 @@ TEST(PartSkin, SurfacesAndLinesHaveTheirEnds)
       lines.AddCell(Line, { i, i + 1 });
     }
   }
-  ExpectSkin(surface.GetInput(),
+  ExpectBoundary(surface.GetInput(),
     [](std::size_t p)
     {
       const auto [x, y, z] = GetPlace(p);
       return IsOnBoundary(x) || IsOnBoundary(y);
     });
-  ExpectSkin(lines.GetInput(), [](std::size_t p) { return IsOnBoundary(GetPlace(p)[0]); });
+  ExpectBoundary(lines.GetInput(), [](std::size_t p) { return IsOnBoundary(GetPlace(p)[0]); });
 }
 
-TEST(PartSkin, PointsOfVerticesAndOfNoCellAreAllFound)
+TEST(PartBoundary, PointsOfVerticesAndOfNoCellAreAllFound)
 {
   Mixture mesh(0);
   mesh.Coordinates.assign(30, 0.5);
   mesh.AddCell(1, { 3 });
   mesh.AddCell(2, { 4, 5, 6 });
-  ExpectSkin(mesh.GetInput(), [](std::size_t) { return true; });
+  ExpectBoundary(mesh.GetInput(), [](std::size_t) { return true; });
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef gatunSkinMerge_h
-#define gatunSkinMerge_h
+#ifndef gatunBoundaryMerge_h
+#define gatunBoundaryMerge_h
 
 #include "gatunSharedGroups.h"
 #include "gatunSpillSorter.h"
@@ -18,7 +18,7 @@
 namespace gatun
 {
 /** The use of a point of a part by a chunk. The point may be one of other parts, too. */
-struct SkinRecord
+struct BoundaryRecord
 {
   static constexpr std::uint32_t NoChunk = 0xffffffffu;
 
@@ -30,7 +30,7 @@ struct SkinRecord
   std::uint32_t Chunk = NoChunk; // of the file; NoChunk if no cell uses the point
   std::uint32_t Reserved = 0;
 
-  bool operator<(const SkinRecord& other) const
+  bool operator<(const BoundaryRecord& other) const
   {
     return this->Key != other.Key    ? this->Key < other.Key
       : this->Values != other.Values ? this->Values < other.Values
@@ -43,7 +43,7 @@ struct SkinRecord
 /** The points of a part that are those of other parts. */
 struct PartJoins
 {
-  /** The points of each group, in the order of the file. Groups are numbers of SkinMerge. */
+  /** The points of each group, in the order of the file. Groups are numbers of BoundaryMerge. */
   std::map<std::uint32_t, std::vector<std::uint32_t>> Groups;
 
   std::vector<std::uint32_t> Dropped; ///< unused points that another part has
@@ -55,7 +55,7 @@ struct JoinRecord
   static constexpr std::uint32_t Dropped = 0xffffffffu;
 
   std::uint32_t Part = 0;
-  std::uint32_t Group = 0;  // a number of SkinMerge, or Dropped
+  std::uint32_t Group = 0;  // a number of BoundaryMerge, or Dropped
   std::uint64_t Morton = 0; // that of the point in the first part of the group
   std::uint32_t First = 0;  // its number there
   std::uint32_t Point = 0;
@@ -90,18 +90,18 @@ struct JoinCounts
  *
  * Memory: about twice the given one, and the groups of shared points.
  */
-class SkinMerge
+class BoundaryMerge
 {
 public:
   /** folder: of the files for what exceeds the memory, in bytes. */
-  SkinMerge(const std::string& folder, std::size_t memory)
-    : Skins(folder, memory)
+  BoundaryMerge(const std::string& folder, std::size_t memory)
+    : Boundaries(folder, memory)
     , Joins(folder, memory)
   {
   }
 
   /** Adds a use of a point. */
-  void Add(const SkinRecord& use) { this->Skins.Add(use); }
+  void Add(const BoundaryRecord& use) { this->Boundaries.Add(use); }
 
   /** Joins points when all uses have been added, and changes the groups of the file accordingly.
    * parts: the number of parts. */
@@ -135,7 +135,7 @@ public:
 
   std::uint64_t GetSpilledBytes() const
   {
-    return this->Skins.GetSpilledBytes() + this->Joins.GetSpilledBytes();
+    return this->Boundaries.GetSpilledBytes() + this->Joins.GetSpilledBytes();
   }
 
 private:
@@ -151,7 +151,7 @@ private:
   void JoinEqual(const std::vector<Member>& members, SharedGroups& groups);
   void Drop(const Member& member);
 
-  SpillSorter<SkinRecord> Skins;
+  SpillSorter<BoundaryRecord> Boundaries;
   SpillSorter<JoinRecord> Joins;
   std::map<ChunkGroup, std::uint32_t> GroupNumbers;
   std::vector<const ChunkGroup*> Groups;

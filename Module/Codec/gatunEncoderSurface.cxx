@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gatunSurfaceTruth.h"
+#include "gatunEncoderSurface.h"
 
 #include "gatunCellShapes.h"
-#include "gatunMarkTruth.h"
+#include "gatunEncoderMarks.h"
 
 #include <algorithm>
 #include <bit>
@@ -31,7 +31,7 @@ bool HasTwice(std::span<const std::uint32_t> corners)
 }
 
 //------------------------------------------------------------------------------
-SurfaceTruth::SurfaceTruth(
+EncoderSurface::EncoderSurface(
   const CellList& cells, std::span<const std::uint32_t> candidates, bool keepCorners)
   : Cells(cells)
   , KeepCorners(keepCorners)
@@ -63,7 +63,7 @@ SurfaceTruth::SurfaceTruth(
   this->Number = this->Seeds.size();
 }
 
-std::size_t SurfaceTruth::GetPlaceOfHead(std::uint32_t a, std::uint32_t b) const
+std::size_t EncoderSurface::GetPlaceOfHead(std::uint32_t a, std::uint32_t b) const
 {
   auto hash = (std::uint64_t{ std::min(a, b) } << 32 | std::max(a, b)) * 0x9e3779b97f4a7c15u;
   hash ^= hash >> 32;
@@ -71,14 +71,14 @@ std::size_t SurfaceTruth::GetPlaceOfHead(std::uint32_t a, std::uint32_t b) const
 }
 
 /** The corner at a place of a cell's cycle. */
-std::uint32_t SurfaceTruth::GetCorner(std::uint32_t cell, std::uint32_t place) const
+std::uint32_t EncoderSurface::GetCorner(std::uint32_t cell, std::uint32_t place) const
 {
   const auto degree = CountCorners(this->Cells, cell);
   return this->Cells.GetCorners(
     cell)[GetMarkCorner(this->Cells.Types[cell], place < degree ? place : place - degree)];
 }
 
-void SurfaceTruth::AddEdges(std::uint32_t cell)
+void EncoderSurface::AddEdges(std::uint32_t cell)
 {
   const auto degree = CountCorners(this->Cells, cell);
   for (std::uint32_t i = 0; i < degree; ++i)
@@ -89,7 +89,7 @@ void SurfaceTruth::AddEdges(std::uint32_t cell)
   }
 }
 
-bool SurfaceTruth::HasNeighbor(std::uint32_t cell)
+bool EncoderSurface::HasNeighbor(std::uint32_t cell)
 {
   const auto degree = CountCorners(this->Cells, cell);
   for (std::uint32_t i = 0; i < degree; ++i)
@@ -110,7 +110,7 @@ bool SurfaceTruth::HasNeighbor(std::uint32_t cell)
   return false;
 }
 
-bool SurfaceTruth::IsUniform() const
+bool EncoderSurface::IsUniform() const
 {
   const auto isOther = [&](std::uint32_t cell) { return this->Cells.Types[cell] != TriangleType; };
   if (this->KeepCorners || std::any_of(this->Seeds.begin(), this->Seeds.end(), isOther))
@@ -135,7 +135,7 @@ bool SurfaceTruth::IsUniform() const
   return true;
 }
 
-bool SurfaceTruth::FindCell(std::uint32_t begin, std::uint32_t end, bool turned)
+bool EncoderSurface::FindCell(std::uint32_t begin, std::uint32_t end, bool turned)
 {
   constexpr unsigned most = 16; // where many polygons meet
   auto found = None;
@@ -170,7 +170,7 @@ bool SurfaceTruth::FindCell(std::uint32_t begin, std::uint32_t end, bool turned)
   return true;
 }
 
-bool SurfaceTruth::FindSeed()
+bool EncoderSurface::FindSeed()
 {
   while (this->NextSeed < this->Seeds.size() &&
     this->States[this->Seeds[this->NextSeed]] == State::Taken)
@@ -185,7 +185,7 @@ bool SurfaceTruth::FindSeed()
   return true;
 }
 
-void SurfaceTruth::Begin(std::uint32_t cell, std::uint32_t place, bool turned)
+void EncoderSurface::Begin(std::uint32_t cell, std::uint32_t place, bool turned)
 {
   const auto degree = CountCorners(this->Cells, cell);
   place %= degree;

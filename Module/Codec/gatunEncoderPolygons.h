@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef gatunPolygonTruth_h
-#define gatunPolygonTruth_h
+#ifndef gatunEncoderPolygons_h
+#define gatunEncoderPolygons_h
 
 #include "gatunCellForms.h"
 #include "gatunCellList.h"
@@ -15,12 +15,12 @@
 namespace gatun
 {
 /** The cells of an encoder's input that a walk can take, by their faces. */
-class PolygonTruth
+class EncoderPolygons
 {
 public:
   static constexpr std::uint32_t None = 0xffffffff;
 
-  PolygonTruth(const CellList& cells, const FormTable& forms);
+  EncoderPolygons(const CellList& cells, const FormTable& forms);
 
   /** Begins the unvisited cell on a gate. Returns false if there is none. */
   bool FindCell(std::span<const std::uint32_t> gate);

@@ -73,7 +73,7 @@ gtn("pack", "-q", *files, "small.gtn")
 assert len(json.loads(gtn("info", "--json", "other.gtn"))["meshes"]) >= 4
 assert os.path.getsize("small.gtn") < 0.7 * os.path.getsize("other.gtn")
 
-# Everything else takes the living cells.
+# Everything else takes the remaining cells.
 gtn("contour", "-q", "--step", 4, "--value", 0.3, "run.gtn", "file.vtp")
 gtn("contour", "-q", "--value", 0.3, "step4.vtu", "grid.vtp")
 assert count_triangles("file.vtp") == count_triangles("grid.vtp") > 0

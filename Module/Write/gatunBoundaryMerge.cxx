@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gatunSkinMerge.h"
+#include "gatunBoundaryMerge.h"
 
 #include "gatunError.h"
 
@@ -10,12 +10,12 @@
 namespace gatun
 {
 //------------------------------------------------------------------------------
-void SkinMerge::Join(std::size_t parts, SharedGroups& groups)
+void BoundaryMerge::Join(std::size_t parts, SharedGroups& groups)
 {
   this->Counts.Repeated.assign(parts, 0);
-  this->Skins.Sort();
+  this->Boundaries.Sort();
   std::vector<Member> members;
-  while (const auto* first = this->Skins.Get())
+  while (const auto* first = this->Boundaries.Get())
   {
     // All points with a key, and those of them that have the same values.
     const auto key = first->Key;
@@ -27,7 +27,7 @@ void SkinMerge::Join(std::size_t parts, SharedGroups& groups)
     {
       const auto values = first->Values;
       members.clear();
-      for (; first && first->Key == key && first->Values == values; first = this->Skins.Get())
+      for (; first && first->Key == key && first->Values == values; first = this->Boundaries.Get())
       {
         isOfSeveralParts = isOfSeveralParts || first->Part != part;
         if (members.empty() || members.back().Part != first->Part ||
@@ -35,11 +35,11 @@ void SkinMerge::Join(std::size_t parts, SharedGroups& groups)
         {
           members.push_back({ first->Part, first->Point, first->Morton, {} });
         }
-        if (first->Chunk != SkinRecord::NoChunk)
+        if (first->Chunk != BoundaryRecord::NoChunk)
         {
           members.back().Chunks.push_back(first->Chunk);
         }
-        this->Skins.Next();
+        this->Boundaries.Next();
       }
       const bool isAmbiguous =
         std::adjacent_find(members.begin(), members.end(),
@@ -65,7 +65,7 @@ void SkinMerge::Join(std::size_t parts, SharedGroups& groups)
 
 //------------------------------------------------------------------------------
 /** Joins points of different parts, in the order of the parts. */
-void SkinMerge::JoinEqual(const std::vector<Member>& members, SharedGroups& groups)
+void BoundaryMerge::JoinEqual(const std::vector<Member>& members, SharedGroups& groups)
 {
   ChunkGroup chunks; // ascending, because those of each part follow those of the parts before
   const Member* first = nullptr;
@@ -105,14 +105,14 @@ void SkinMerge::JoinEqual(const std::vector<Member>& members, SharedGroups& grou
 }
 
 //------------------------------------------------------------------------------
-void SkinMerge::Drop(const Member& member)
+void BoundaryMerge::Drop(const Member& member)
 {
   this->Joins.Add({ member.Part, JoinRecord::Dropped, 0, 0, member.Point });
   ++this->Counts.Dropped;
 }
 
 //------------------------------------------------------------------------------
-std::uint32_t SkinMerge::FindGroup(const ChunkGroup& chunks)
+std::uint32_t BoundaryMerge::FindGroup(const ChunkGroup& chunks)
 {
   const auto [found, isNew] =
     this->GroupNumbers.try_emplace(chunks, static_cast<std::uint32_t>(this->Groups.size()));
@@ -128,7 +128,7 @@ std::uint32_t SkinMerge::FindGroup(const ChunkGroup& chunks)
 }
 
 //------------------------------------------------------------------------------
-PartJoins SkinMerge::Take(std::uint32_t part)
+PartJoins BoundaryMerge::Take(std::uint32_t part)
 {
   PartJoins joins;
   for (const auto* join = this->Joins.Get(); join && join->Part == part; join = this->Joins.Get())

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef gatunPartSkin_h
-#define gatunPartSkin_h
+#ifndef gatunPartBoundary_h
+#define gatunPartBoundary_h
 
 #include "gatunMeshAccess.h"
 #include "gatunPartition.h"
@@ -21,7 +21,7 @@ namespace gatun
  * A point inside a part that another part has is not found: that of a line or a polygon that ends
  * within the solid of another part, for instance.
  */
-std::vector<std::uint8_t> FindSkin(const MeshAccess& mesh, const Partition& layout);
+std::vector<std::uint8_t> FindPartBoundary(const MeshAccess& mesh, const Partition& layout);
 }
 
 #endif

@@ -66,7 +66,7 @@ def open_reader(path, **options):
 
 
 def check_pieces(reader, step, expected):
-    """Pieces have each living cell once, and each point of the step once."""
+    """Pieces have each remaining cell once, and each point of the step once."""
     for ghosts in (0, 1):
         cells, points = [], []
         for piece in range(3):
@@ -95,7 +95,7 @@ def check_pieces(reader, step, expected):
             assert (np.unique(found, axis=0) == np.unique(wanted, axis=0)).all()
 
 
-path = gm.temporary("dying_cells.gtn")
+path = gm.temporary("deleted_cells.gtn")
 rng = np.random.default_rng(5)
 sizes = {}
 for drops, moves, keep, chunk in ((False, False, 7, 150), (True, False, 7, 150), (True, False, 0, 90),
@@ -146,7 +146,7 @@ for drops, moves, keep, chunk in ((False, False, 7, 150), (True, False, 7, 150),
             assert np.abs(found - values).max() < 2e-4
     assert demand.GetIsOnDemand()
 
-    # A region of interest has living cells only.
+    # A region of interest has remaining cells only.
     reader.UseBoxOn()
     reader.SetBox(0, 0.2, 0, 2, 0, 2)
     for step in (0, 2, 3):

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef gatunMergeWish_h
-#define gatunMergeWish_h
+#ifndef gatunMergeSelection_h
+#define gatunMergeSelection_h
 
 #include "gatunExport.h"
 #include "gatunMergeTree.h"
@@ -20,7 +20,7 @@ namespace gatun
  * weights: for each point, 0 or more. tolerance: a negative one or one that is not a number counts
  * as 0. Throws InvalidInput if there is not a weight for each point.
  */
-GATUN_EXPORT std::vector<bool> WantMerges(
+GATUN_EXPORT std::vector<bool> SelectMerges(
   const MergeTree& tree, std::span<const float> weights, double tolerance);
 
 /** Returns the smallest tolerance that selects at least this number of merges, or all. */

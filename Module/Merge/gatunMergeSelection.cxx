@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gatunMergeWish.h"
+#include "gatunMergeSelection.h"
 
 #include "gatunError.h"
 
@@ -28,7 +28,7 @@ void CheckWeights(const MergeTree& tree, std::span<const float> weights)
 }
 
 //------------------------------------------------------------------------------
-std::vector<bool> WantMerges(
+std::vector<bool> SelectMerges(
   const MergeTree& tree, std::span<const float> weights, double tolerance)
 {
   CheckWeights(tree, weights);

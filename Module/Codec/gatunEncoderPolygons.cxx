@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gatunPolygonTruth.h"
+#include "gatunEncoderPolygons.h"
 
 #include "gatunCellNodes.h"
 #include "gatunCellShapes.h"
@@ -30,7 +30,7 @@ bool HasTwice(std::span<const std::uint32_t> corners)
 }
 
 //------------------------------------------------------------------------------
-PolygonTruth::PolygonTruth(const CellList& cells, const FormTable& forms)
+EncoderPolygons::EncoderPolygons(const CellList& cells, const FormTable& forms)
   : Forms(forms)
 {
   for (std::uint32_t c = 0; c < cells.GetNumber(); ++c)
@@ -65,7 +65,7 @@ PolygonTruth::PolygonTruth(const CellList& cells, const FormTable& forms)
   }
 }
 
-void PolygonTruth::AddSurface(const CellList& cells, std::uint32_t cell, const CellShape* shape)
+void EncoderPolygons::AddSurface(const CellList& cells, std::uint32_t cell, const CellShape* shape)
 {
   Surface surface{ cell, cells.Types[cell], shape, static_cast<std::uint32_t>(this->Faces.size()),
     static_cast<std::uint32_t>(this->Locals.size()), 0,
@@ -99,13 +99,13 @@ void PolygonTruth::AddSurface(const CellList& cells, std::uint32_t cell, const C
   this->Surfaces.push_back(surface);
 }
 
-SurfaceView PolygonTruth::GetFaces(const Surface& surface) const
+SurfaceView EncoderPolygons::GetFaces(const Surface& surface) const
 {
   return surface.Shape ? surface.Shape->Faces
                        : SurfaceView(this->Locals).subspan(surface.FirstLocal, surface.LocalSize);
 }
 
-bool PolygonTruth::FindCell(std::span<const std::uint32_t> gate)
+bool EncoderPolygons::FindCell(std::span<const std::uint32_t> gate)
 {
   const auto hash = HashVertices(gate);
   auto* next = &this->Heads[hash & (this->Heads.size() - 1)];
@@ -127,7 +127,7 @@ bool PolygonTruth::FindCell(std::span<const std::uint32_t> gate)
   return false;
 }
 
-bool PolygonTruth::FindSeed()
+bool EncoderPolygons::FindSeed()
 {
   while (this->Next < this->Surfaces.size() && this->Surfaces[this->Next].Visited)
   {
@@ -141,7 +141,7 @@ bool PolygonTruth::FindSeed()
   return true;
 }
 
-bool PolygonTruth::Begin(
+bool EncoderPolygons::Begin(
   std::uint32_t number, unsigned faceNumber, std::span<const std::uint32_t> gate)
 {
   const auto& surface = this->Surfaces[number];
@@ -175,7 +175,7 @@ bool PolygonTruth::Begin(
   return true;
 }
 
-void PolygonTruth::BeginAt(std::uint32_t number, unsigned face, unsigned start, bool mirrored)
+void EncoderPolygons::BeginAt(std::uint32_t number, unsigned face, unsigned start, bool mirrored)
 {
   auto& surface = this->Surfaces[number];
   const std::uint8_t* order = nullptr;
@@ -208,14 +208,14 @@ void PolygonTruth::BeginAt(std::uint32_t number, unsigned face, unsigned start, 
   }
 }
 
-bool PolygonTruth::IsOfHexahedra() const
+bool EncoderPolygons::IsOfHexahedra() const
 {
   return !this->Surfaces.empty() &&
     std::all_of(this->Surfaces.begin(), this->Surfaces.end(),
       [](const Surface& surface) { return surface.Shape && surface.Shape->Corners == 8; });
 }
 
-std::vector<std::uint32_t> PolygonTruth::GetOthers() const
+std::vector<std::uint32_t> EncoderPolygons::GetOthers() const
 {
   return this->Others;
 }
