@@ -223,7 +223,6 @@ void MeasureSimplification(const SimplifyOptions& options)
   vtkNew<vtkGatunSimplify> filter;
   filter->SetInputData(grid);
   filter->SetArrayWeight(options.Array.c_str(), 1);
-  filter->SetSimplificationTarget(vtkGatunSimplify::TARGET_NUMBER_OF_POINTS);
   filter->SetSimplificationNumberOfPoints(grid->GetNumberOfPoints());
   const double build = SecondsOf([&] { UpdateChecked(filter); });
   PrintJson(

@@ -29,7 +29,7 @@ struct Sample
 {
   std::string Name;
   Grid Mesh;
-  int ChunkTets;
+  int ChunkSize;
   int KeepOrder;
 };
 
@@ -57,7 +57,7 @@ void WriteSample(const Sample& sample, const std::string& file)
   vtkNew<vtkGatunWriter> writer;
   writer->SetInputData(sample.Mesh);
   writer->SetFileName(file.c_str());
-  writer->SetChunkTets(sample.ChunkTets);
+  writer->SetChunkSize(sample.ChunkSize);
   writer->SetKeepOrder(sample.KeepOrder);
   if (!writer->Write())
   {
@@ -80,7 +80,7 @@ std::string MakeTable(const std::string& scratch)
     {
       arrays += bytes;
     }
-    table << sample.Name << ',' << sample.Mesh->GetNumberOfCells() << ',' << sample.ChunkTets << ','
+    table << sample.Name << ',' << sample.Mesh->GetNumberOfCells() << ',' << sample.ChunkSize << ','
           << sample.KeepOrder << ',' << sizes.FileBytes - sizes.DirectoryBytes << ','
           << sizes.ConnectivityBytes << ',' << sizes.GeometryBytes << ','
           << sizes.SharedGeometryBytes << ',' << arrays << ',' << sizes.OrderBytes << '\n';

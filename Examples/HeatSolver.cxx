@@ -21,9 +21,11 @@
 #include <vtkPoints.h>
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTable.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkUnstructuredGridAlgorithm.h>
+#include <vtkVariant.h>
 
 #include <algorithm>
 #include <cmath>
@@ -294,8 +296,10 @@ int main(int argc, char* argv[])
   }
   if (succeeded && controller->GetLocalProcessId() == 0)
   {
-    std::cout << writer->GetWrittenPoints() << " points, " << writer->GetWrittenCells()
-              << " cells, " << writer->GetWrittenSteps() << " steps\n";
+    vtkTable* const statistics = writer->GetStatistics();
+    std::cout << statistics->GetValueByName(0, "Points").ToString() << " points, "
+              << statistics->GetValueByName(0, "Cells").ToString() << " cells, "
+              << statistics->GetValueByName(0, "TimeSteps").ToString() << " steps\n";
   }
   controller->Finalize();
   return succeeded ? 0 : 1;

@@ -56,10 +56,6 @@ vtkCxxSetObjectMacro(vtkGatunSimplify, Controller, vtkMultiProcessController);
 
 namespace
 {
-static_assert(int{ vtkGatunSimplify::TARGET_RATIO } == gatun::SimplifyTarget::Ratio);
-static_assert(
-  int{ vtkGatunSimplify::TARGET_NUMBER_OF_POINTS } == gatun::SimplifyTarget::NumberOfPoints);
-static_assert(int{ vtkGatunSimplify::TARGET_RMS_ERROR } == gatun::SimplifyTarget::RMSError);
 
 /** What is left of a grid after so many merges. */
 void FillOutput(vtkUnstructuredGrid* grid, const gatun::MergeTree& tree, std::size_t merges,
@@ -361,8 +357,8 @@ void vtkGatunSimplify::vtkInternals::SetPrepared(
 //------------------------------------------------------------------------------
 gatun::SimplifyProperties vtkGatunSimplify::vtkInternals::Target(const vtkGatunSimplify* self)
 {
-  return { self->SimplificationTarget, self->SimplificationRatio,
-    self->SimplificationNumberOfPoints, self->SimplificationRMSError };
+  return { self->SimplificationRatio, self->SimplificationNumberOfPoints,
+    self->SimplificationRMSError };
 }
 
 //------------------------------------------------------------------------------

@@ -86,34 +86,10 @@ public:
   vtkTypeMacro(vtkGatunSimplify, vtkPointSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /**
-   * Kinds of simplification targets.
-   */
-  enum SimplificationTargetType
-  {
-    TARGET_RATIO = 0,            ///< SimplificationRatio
-    TARGET_NUMBER_OF_POINTS = 1, ///< SimplificationNumberOfPoints
-    TARGET_RMS_ERROR = 2         ///< SimplificationRMSError
-  };
-
   ///@{
   /**
-   * Property that gives the target, one of SimplificationTargetType. Default: TARGET_RATIO.
-   */
-  vtkSetClampMacro(SimplificationTarget, int, TARGET_RATIO, TARGET_RMS_ERROR);
-  vtkGetMacro(SimplificationTarget, int);
-  void SetSimplificationTargetToRatio() { this->SetSimplificationTarget(TARGET_RATIO); }
-  void SetSimplificationTargetToNumberOfPoints()
-  {
-    this->SetSimplificationTarget(TARGET_NUMBER_OF_POINTS);
-  }
-  void SetSimplificationTargetToRMSError() { this->SetSimplificationTarget(TARGET_RMS_ERROR); }
-  ///@}
-
-  ///@{
-  /**
-   * Fraction of points removed, from 0 (none) to 1 (as many as possible). NaN is an error. Default:
-   * 0.5.
+   * Fraction of points to remove, from 0 (none) to 1 (as many as possible). NaN is an error. No
+   * effect if one of the other two targets is given. Default: 0.5.
    */
   vtkSetClampMacro(SimplificationRatio, double, 0.0, 1.0);
   vtkGetMacro(SimplificationRatio, double);
@@ -121,8 +97,8 @@ public:
 
   ///@{
   /**
-   * Number of points of the result, 0 or more, as far as possible; a larger number than that of the
-   * mesh keeps all. Default: 10000.
+   * Number of points of the result, as far as possible; a larger number than that of the mesh keeps
+   * all. 0: SimplificationRatio is the target. Default: 0.
    */
   vtkSetClampMacro(SimplificationNumberOfPoints, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(SimplificationNumberOfPoints, vtkIdType);
@@ -130,9 +106,8 @@ public:
 
   ///@{
   /**
-   * Largest root mean square error of the result, 0 or more: an estimate for the
-   * values, relative to their range, and for the shape of the boundary.
-   * Default: 0.001.
+   * Largest root mean square error of the result: an estimate for the values, relative to their
+   * range, and for the shape of the boundary. 0: one of the other two is the target. Default: 0.
    */
   vtkSetClampMacro(SimplificationRMSError, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SimplificationRMSError, double);
@@ -229,10 +204,9 @@ protected:
    */
   virtual vtkInformation* GetFileInformation(vtkInformation* inInfo);
 
-  int SimplificationTarget = TARGET_RATIO;
   double SimplificationRatio = 0.5;
-  vtkIdType SimplificationNumberOfPoints = 10000;
-  double SimplificationRMSError = 1e-3;
+  vtkIdType SimplificationNumberOfPoints = 0;
+  double SimplificationRMSError = 0;
   int Metric = METRIC_MASS;
   double BoundaryWeight = 0.5;
   double FeatureAngle = 30;

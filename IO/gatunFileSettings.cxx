@@ -26,20 +26,16 @@ std::size_t FileSettings::CountMerges(SharedFile& mesh) const
 //------------------------------------------------------------------------------
 bool FileSettings::IsOnDemand(SharedFile& mesh) const
 {
-  if (this->HasRegion)
+  if (this->HasRegion || !this->LargeMesh)
   {
     return false;
-  }
-  if (this->OnDemand)
-  {
-    return *this->OnDemand;
   }
   const FileReader& file = *mesh.GetFile();
   const std::size_t merges = this->CountMerges(mesh);
   const std::uint64_t cells = merges > 0 ? mesh.GetHierarchy().EstimateCells(merges)
     : file.IsSurface()                   ? file.GetNumberOfCells()
                                          : file.GetNumberOfTets();
-  return cells > this->LargeMesh;
+  return cells > *this->LargeMesh;
 }
 
 //------------------------------------------------------------------------------

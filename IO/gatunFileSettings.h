@@ -25,10 +25,9 @@ struct FileSettings
   bool RestoreOrder = true;
   bool SplitCells = false;
   bool GenerateGlobalIds = false;
-  bool HasRegion = false;       ///< whether the reader is restricted to a region of interest
-  std::optional<bool> OnDemand; ///< whether the output is an outline; unset: if a mesh is large
-  std::uint64_t LargeMesh = 0;  ///< a mesh with more cells is large
-  std::vector<bool> Selected;   ///< for each array of the file, whether the reader reads it
+  bool HasRegion = false; ///< whether the reader is restricted to a region of interest
+  std::optional<std::uint64_t> LargeMesh; ///< the output of a mesh with more cells is an outline
+  std::vector<bool> Selected; ///< for each array of the file, whether the reader reads it
 
   /** Whether a simplification is asked for, possible or not. */
   bool Simplifies() const { return !this->Simplification.GetTarget().IsWholeMesh(); }

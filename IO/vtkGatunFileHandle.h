@@ -107,7 +107,7 @@ public:
   vtkIdType GetNumberOfMerges();
 
   /**
-   * Whether the reader's output is an outline or the boundary, see vtkGatunReader::OnDemand.
+   * Whether the reader's output is an outline or the boundary, see vtkGatunReader::LargeMesh.
    */
   bool GetIsOnDemand();
 

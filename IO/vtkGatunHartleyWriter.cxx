@@ -49,7 +49,6 @@ void vtkGatunHartleyWriter::PrintSelf(ostream& os, vtkIndent indent)
   gatun::PrintParameters(os, indent,
     { this->BlockSize, this->RateControl, this->Quality, this->RMSError, this->PSNR,
       this->BitsPerVoxel, this->FrequencyWeight });
-  os << indent << "ReplaceReadOnly: " << (this->ReplaceReadOnly ? "On" : "Off") << "\n";
   os << indent << "FileBytes: " << this->FileBytes << "\n";
   os << indent << "MeasuredRMSError: " << this->MeasuredRMSError << "\n";
   os << indent << "MaximumError: " << this->MaximumError << "\n";
@@ -175,7 +174,6 @@ void vtkGatunHartleyWriter::WriteVolume(vtkImageData* image)
   options.BlockSize = static_cast<std::uint32_t>(this->BlockSize);
   options.RateControl = gatun::MakeRateControl({ this->BlockSize, this->RateControl, this->Quality,
     this->RMSError, this->PSNR, this->BitsPerVoxel, this->FrequencyWeight });
-  options.ReplaceReadOnly = this->ReplaceReadOnly;
   const gatun::HartleyWritten written =
     gatun::WriteHartleyFile(this->FileName, bridged.Volume, options,
       [this](double fraction)

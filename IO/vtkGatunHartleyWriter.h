@@ -13,7 +13,7 @@
  * quantized with a step that is determined by RateControl and the property that belongs to it.
  *
  * The file appears under its name when it is complete. After an error or an abort, an existing file
- * is unchanged. A read-only file is replaced only if ReplaceReadOnly is on.
+ * is unchanged. A read-only file is not replaced.
  *
  * *Cost.* Memory: the nonzero coefficients, 8 bytes each. Uses all threads; the
  * bytes of the file do not depend on their number.
@@ -132,15 +132,6 @@ public:
   vtkGetMacro(FrequencyWeight, double);
   ///@}
 
-  ///@{
-  /**
-   * Whether to replace a read-only file. Default: off.
-   */
-  vtkSetMacro(ReplaceReadOnly, bool);
-  vtkGetMacro(ReplaceReadOnly, bool);
-  vtkBooleanMacro(ReplaceReadOnly, bool);
-  ///@}
-
   /**
    * Updates the input and writes the file. Returns 1, or 0 and sets an error code.
    */
@@ -187,7 +178,6 @@ protected:
   double PSNR = 50;
   double BitsPerVoxel = 1;
   double FrequencyWeight = 0;
-  bool ReplaceReadOnly = false;
 
   vtkTypeUInt64 FileBytes = 0;
   double MeasuredRMSError = 0;

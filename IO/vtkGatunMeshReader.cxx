@@ -67,28 +67,19 @@ void vtkGatunMeshReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "RestoreOrder: " << (this->RestoreOrder ? "On" : "Off") << "\n";
   os << indent << "GenerateGlobalIds: " << (this->GenerateGlobalIds ? "On" : "Off") << "\n";
-  os << indent << "UseBox: " << (this->UseBox ? "On" : "Off") << "\n";
   os << indent << "Box: " << this->Box[0] << " " << this->Box[1] << " " << this->Box[2] << " "
      << this->Box[3] << " " << this->Box[4] << " " << this->Box[5] << "\n";
-  os << indent << "UseValueRange: " << (this->UseValueRange ? "On" : "Off") << "\n";
   os << indent << "ValueRangeArray: " << (this->ValueRangeArray ? this->ValueRangeArray : "(none)")
      << "\n";
-  os << indent << "ValueRangeAssociation: "
-     << (this->ValueRangeAssociation == vtkDataObject::FIELD_ASSOCIATION_CELLS ? "Cells" : "Points")
-     << "\n";
-  os << indent << "ValueRangeComponent: " << this->ValueRangeComponent << "\n";
   os << indent << "ValueRange: " << this->ValueRange[0] << " " << this->ValueRange[1] << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
   os << indent << "PrefetchTimeSteps: " << (this->PrefetchTimeSteps ? "On" : "Off") << "\n";
-  const char* const modes[] = { "Never", "Always", "Large" };
-  os << indent << "OnDemand: " << modes[this->OnDemand] << "\n";
   os << indent << "LargeMesh: " << this->LargeMesh << "\n";
   vtkInternals::GetProperties(*this).Print(os, indent);
   os << indent << "HasHierarchy: " << (this->GetHasHierarchy() ? "true" : "false") << "\n";
   os << indent << "IsOnDemand: " << (this->GetIsOnDemand() ? "true" : "false") << "\n";
-  os << indent << "CachedBytes: " << this->GetCachedBytes() << "\n";
-  os << indent << "DecodedChunks: " << this->GetDecodedChunks() << "\n";
-  os << indent << "BytesRead: " << this->GetBytesRead() << "\n";
+  os << indent << "Statistics:\n";
+  this->GetStatistics()->PrintSelf(os, indent.GetNextIndent());
   os << indent << "PointDataArraySelection:\n";
   this->GetPointDataArraySelection()->PrintSelf(os, indent.GetNextIndent());
   os << indent << "CellDataArraySelection:\n";
@@ -187,10 +178,15 @@ vtkTable* vtkGatunMeshReader::GetChunkTable()
 }
 
 //------------------------------------------------------------------------------
-vtkTypeUInt64 vtkGatunMeshReader::GetBytesRead()
+vtkTable* vtkGatunMeshReader::GetStatistics()
 {
-  const auto& file = this->Internals->Series;
-  return file ? file->GetBytesRead() : 0;
+  vtkInternals& self = *this->Internals;
+  self.Statistics.Clear();
+  self.Statistics.Add("BytesRead", self.Series ? self.Series->GetBytesRead() : std::uint64_t{ 0 });
+  self.Statistics.Add("DecodedChunks", self.Pieces.GetDecodedChunks());
+  self.Statistics.Add(
+    "CachedBytes", self.File ? self.File->GetBudget()->GetStatistics().Bytes : std::uint64_t{ 0 });
+  return self.Statistics.Get();
 }
 
 //------------------------------------------------------------------------------
@@ -233,19 +229,6 @@ bool vtkGatunMeshReader::GetIsOnDemand()
 bool vtkGatunMeshReader::GetHasHierarchy()
 {
   return this->Internals->File && this->Internals->GetFile().HasMergeTree();
-}
-
-//------------------------------------------------------------------------------
-vtkTypeUInt64 vtkGatunMeshReader::GetCachedBytes()
-{
-  const auto& file = this->Internals->File;
-  return file ? file->GetBudget()->GetStatistics().Bytes : 0;
-}
-
-//------------------------------------------------------------------------------
-vtkTypeUInt64 vtkGatunMeshReader::GetDecodedChunks()
-{
-  return this->Internals->Pieces.GetDecodedChunks();
 }
 
 //------------------------------------------------------------------------------
@@ -438,7 +421,7 @@ int vtkGatunMeshReader::RequestData(vtkInformation* vtkNotUsed(request),
     {
       self.Pieces.Choose(handle, handle.Merges);
       auto request = self.Pieces.MakeRequest(handle, port, self.ChunksOf(*this, port.Step));
-      request.WithUnusedPoints = request.WithUnusedPoints && !this->UseBox && !this->UseValueRange;
+      request.WithUnusedPoints = request.WithUnusedPoints && !self.HasRegion(*this);
       self.Pieces.Read(handle, request, this->GenerateGlobalIds || port.Pieces > 1, grid, progress);
       if (this->PrefetchTimeSteps)
       {

@@ -43,7 +43,7 @@
  * *Change on disk.* Each update checks whether the file was replaced or rewritten. If so, the
  * reader opens it anew.
  *
- * *On demand.* With OnDemand, always or for large meshes, the output is the outline of the mesh:
+ * *On demand.* Of a mesh that is larger than LargeMesh, the output is the outline:
  * the 8 corners of its bounds and 12 lines. The outline has the selected arrays. Their values span
  * the ranges of those of the mesh at the current step, component by component and, for up to three
  * components, in length. Piece 0 has the outline, all others are empty. Nothing is decoded.
@@ -61,7 +61,7 @@
  * mesh.
  *
  * *Simplification.* Files with a hierarchy (vtkGatunWriter::Hierarchy) can be read with any number
- * of points; see SimplificationTarget. The tetrahedra, or the cells of a surface, of all pieces
+ * of points; see SimplificationRatio. The tetrahedra, or the cells of a surface, of all pieces
  * together are those that vtkGatunSimplify leaves of the whole mesh, so that pieces fit together. A
  * surface can have a few points more than the target, so that its seams stay closed. If the file
  * has base meshes (vtkGatunWriter::Levels), only the coarsest one that is fine enough is decoded,
@@ -181,18 +181,10 @@ public:
 
   ///@{
   /**
-   * Whether to leave out chunks whose bounds do not touch Box. Points without cells are left out,
-   * too. Default: off.
-   */
-  vtkSetMacro(UseBox, bool);
-  vtkGetMacro(UseBox, bool);
-  vtkBooleanMacro(UseBox, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Region of interest: xmin, xmax, ymin, ymax, zmin, zmax, in the units of the coordinates.
-   * Default: 0, 1, 0, 1, 0, 1.
+   * Region of interest: xmin, xmax, ymin, ymax, zmin, zmax, in the units of the coordinates. Chunks
+   * whose bounds do not touch it are left out, and so are points without cells. If a minimum is
+   * larger than its maximum, there is no box. Default: 1, -1, 1, -1, 1, -1, as
+   * vtkMath::UninitializeBounds has it.
    */
   vtkSetVector6Macro(Box, double);
   vtkGetVector6Macro(Box, double);
@@ -200,18 +192,9 @@ public:
 
   ///@{
   /**
-   * Whether to leave out chunks in which no value of ValueRangeArray at the current step lies in
-   * ValueRange. Points without cells are left out, too. Default: off.
-   */
-  vtkSetMacro(UseValueRange, bool);
-  vtkGetMacro(UseValueRange, bool);
-  vtkBooleanMacro(UseValueRange, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Name of the array that ValueRange is about; it need not be selected. An array that the file
-   * does not have is an error; no name means no restriction. Default: none.
+   * Name of the array by whose values chunks are left out, and points without cells: a point array,
+   * or else a cell array. It need not be selected. An array that the file does not have is an
+   * error. Empty or null: none are left out. Default: null.
    */
   vtkSetStringMacro(ValueRangeArray);
   vtkGetStringMacro(ValueRangeArray);
@@ -219,26 +202,9 @@ public:
 
   ///@{
   /**
-   * What ValueRangeArray belongs to: vtkDataObject::FIELD_ASSOCIATION_POINTS (0, the default) or
-   * vtkDataObject::FIELD_ASSOCIATION_CELLS (1).
-   */
-  vtkSetClampMacro(ValueRangeAssociation, int, 0, 1);
-  vtkGetMacro(ValueRangeAssociation, int);
-  ///@}
-
-  ///@{
-  /**
-   * Component of ValueRangeArray, from 0; -1 is the Euclidean length of the tuple, or the value
-   * itself if there is only one component. A component that the array does not have is an error.
-   * Default: -1.
-   */
-  vtkSetClampMacro(ValueRangeComponent, int, -1, VTK_INT_MAX);
-  vtkGetMacro(ValueRangeComponent, int);
-  ///@}
-
-  ///@{
-  /**
-   * Smallest and largest value of interest, in the units of the array. Default: 0, 1.
+   * Smallest and largest value of interest, in the units of the array: chunks without a value of
+   * ValueRangeArray in this range at the current step are left out. Of arrays with several
+   * components, the Euclidean length of the tuple counts. Default: 0, 1.
    */
   vtkSetVector2Macro(ValueRange, double);
   vtkGetVector2Macro(ValueRange, double);
@@ -267,63 +233,21 @@ public:
   vtkBooleanMacro(PrefetchTimeSteps, bool);
   ///@}
 
-  /**
-   * When the output is only the boundary or the outline of the mesh.
-   */
-  enum OnDemandModes
-  {
-    ON_DEMAND_NEVER = 0,
-    ON_DEMAND_ALWAYS = 1,
-    ON_DEMAND_LARGE = 2 ///< if the mesh is larger than LargeMesh
-  };
-
   ///@{
   /**
-   * Whether the output is the boundary or the outline of the mesh instead of the mesh, so that
-   * nothing is decoded before somebody draws the file: one of OnDemandModes. Without effect while
-   * UseBox or UseValueRange is on. Default: ON_DEMAND_NEVER.
+   * Largest mesh that is read in full: the number of tetrahedra of a grid, or of cells of a
+   * surface, after simplification. Of larger ones, the output is the boundary or the outline, so
+   * that nothing is decoded before somebody draws the file. 0: never in full. -1: always. No effect
+   * with Box or ValueRangeArray. Default: -1; 5,000,000 in ParaView.
    */
-  vtkSetClampMacro(OnDemand, int, ON_DEMAND_NEVER, ON_DEMAND_LARGE);
-  vtkGetMacro(OnDemand, int);
-  ///@}
-
-  ///@{
-  /**
-   * Largest mesh that ON_DEMAND_LARGE still reads in full: tetrahedra of a grid or cells of a
-   * surface, after simplification, 0 or more. Default: 5,000,000.
-   */
-  vtkSetClampMacro(LargeMesh, vtkIdType, 0, VTK_ID_MAX);
+  vtkSetClampMacro(LargeMesh, vtkIdType, -1, VTK_ID_MAX);
   vtkGetMacro(LargeMesh, vtkIdType);
   ///@}
 
-  /**
-   * Kinds of simplification targets.
-   */
-  enum SimplificationTargetType
-  {
-    TARGET_RATIO = 0,            ///< SimplificationRatio
-    TARGET_NUMBER_OF_POINTS = 1, ///< SimplificationNumberOfPoints
-    TARGET_RMS_ERROR = 2         ///< SimplificationRMSError
-  };
-
   ///@{
   /**
-   * Property that gives the target, one of SimplificationTargetType. Default: TARGET_RATIO.
-   */
-  vtkSetClampMacro(SimplificationTarget, int, TARGET_RATIO, TARGET_RMS_ERROR);
-  vtkGetMacro(SimplificationTarget, int);
-  void SetSimplificationTargetToRatio() { this->SetSimplificationTarget(TARGET_RATIO); }
-  void SetSimplificationTargetToNumberOfPoints()
-  {
-    this->SetSimplificationTarget(TARGET_NUMBER_OF_POINTS);
-  }
-  void SetSimplificationTargetToRMSError() { this->SetSimplificationTarget(TARGET_RMS_ERROR); }
-  ///@}
-
-  ///@{
-  /**
-   * Fraction of points removed, from 0 (none) to 1 (as many as possible). NaN is an error. Default:
-   * 0.
+   * Fraction of points to remove, from 0 (none) to 1 (as many as possible). NaN is an error. No
+   * effect if one of the other two targets is given. Default: 0.
    */
   vtkSetClampMacro(SimplificationRatio, double, 0.0, 1.0);
   vtkGetMacro(SimplificationRatio, double);
@@ -331,8 +255,8 @@ public:
 
   ///@{
   /**
-   * Number of points of the result, 0 or more, as far as possible; a larger number than that of the
-   * mesh keeps all. Default: 100000.
+   * Number of points of the result, as far as possible; a larger number than that of the mesh keeps
+   * all. 0: SimplificationRatio is the target. Default: 0.
    */
   vtkSetClampMacro(SimplificationNumberOfPoints, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(SimplificationNumberOfPoints, vtkIdType);
@@ -340,9 +264,8 @@ public:
 
   ///@{
   /**
-   * Largest root mean square error of the result, 0 or more; see
-   * vtkGatunSimplify::SetSimplificationRMSError.
-   * Default: 0.
+   * Largest root mean square error of the result: an estimate for the values, relative to their
+   * range, and for the shape of the boundary. 0: one of the other two is the target. Default: 0.
    */
   vtkSetClampMacro(SimplificationRMSError, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SimplificationRMSError, double);
@@ -375,14 +298,13 @@ public:
   static vtkInformationIntegerKey* ON_DEMAND();
 
   /**
-   * Cache memory in use by the reader and its consumers, in bytes; at most MemoryBudget.
+   * Statistics: a new table of one row, with 0 without an open file. Columns (vtkTypeUInt64Array):
+   * - BytesRead: what the reader and its consumers have read from the file since it was opened,
+   * which happens in UpdateInformation when the name or the file has changed;
+   * - DecodedChunks: chunks whose mesh was decoded for the reader's output since then;
+   * - CachedBytes: cache memory in use by the reader and its consumers, at most MemoryBudget.
    */
-  vtkTypeUInt64 GetCachedBytes();
-
-  /**
-   * Number of chunks whose mesh was decoded for the reader's output since the file was opened.
-   */
-  vtkTypeUInt64 GetDecodedChunks();
+  vtkTable* GetStatistics();
 
   /**
    * Key in the output information, set by UpdateInformation: a vtkTable with a row for each chunk,
@@ -408,12 +330,6 @@ public:
    * readable file. Made at the first call, which reads the ranges of all arrays.
    */
   vtkTable* GetChunkTable();
-
-  /**
-   * Bytes that the reader and its consumers have read from the file since it was opened, which
-   * happens in UpdateInformation when the name or the file has changed. 0 without an open file.
-   */
-  vtkTypeUInt64 GetBytesRead();
 
   /**
    * Modified, too, when a selection of arrays is.
@@ -454,20 +370,14 @@ protected:
   char* FileName = nullptr;
   bool RestoreOrder = true;
   bool GenerateGlobalIds = false;
-  bool UseBox = false;
-  double Box[6] = { 0, 1, 0, 1, 0, 1 };
-  bool UseValueRange = false;
+  double Box[6] = { 1, -1, 1, -1, 1, -1 };
   char* ValueRangeArray = nullptr;
-  int ValueRangeAssociation = 0;
-  int ValueRangeComponent = -1;
   double ValueRange[2] = { 0, 1 };
   int MemoryBudget = 512;
   bool PrefetchTimeSteps = false;
-  int OnDemand = ON_DEMAND_NEVER;
-  vtkIdType LargeMesh = 5000000;
-  int SimplificationTarget = TARGET_RATIO;
+  vtkIdType LargeMesh = -1;
   double SimplificationRatio = 0;
-  vtkIdType SimplificationNumberOfPoints = 100000;
+  vtkIdType SimplificationNumberOfPoints = 0;
   double SimplificationRMSError = 0;
 
 private:

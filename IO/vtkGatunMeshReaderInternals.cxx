@@ -51,30 +51,29 @@ std::vector<std::string> NamesOf(const gatun::FileReader& file, Association wher
 }
 
 //------------------------------------------------------------------------------
-/** The array of a value range and which of its ranges that is: that of a component or, with -1, of
- * the length of the tuples. */
-std::pair<std::size_t, std::size_t> FindRange(
-  const gatun::FileReader& file, const std::string& name, Association where, int component)
+/** The number of a point array, or else a cell array, and of its range: that of its values or, with
+ * several components, of the length of the tuples. */
+std::pair<std::size_t, std::size_t> FindRange(const gatun::FileReader& file, const char* name)
 {
   const auto& arrays = file.GetArrays();
-  const auto found = std::find_if(arrays.begin(), arrays.end(),
-    [&](const gatun::ArrayDescription& array)
-    { return array.Where == where && array.Name == name; });
-  const std::string place = where == Association::Point ? "point" : "cell";
-  if (found == arrays.end())
+  for (const Association where : { Association::Point, Association::Cell })
   {
-    gatun::ThrowInvalid(
-      "there is no " + place + " array '" + name + "' for the value range", file.GetPath());
+    const auto found = std::find_if(arrays.begin(), arrays.end(),
+      [&](const gatun::ArrayDescription& array)
+      { return array.Where == where && array.Name == name; });
+    if (found != arrays.end())
+    {
+      return { static_cast<std::size_t>(found - arrays.begin()),
+        found->Components > 1 ? found->Components : 0 };
+    }
   }
-  if (component >= static_cast<int>(found->Components))
-  {
-    gatun::ThrowInvalid("the " + place + " array '" + name + "' has no component " +
-        std::to_string(component) + " for the value range",
-      file.GetPath());
-  }
-  const std::size_t length = found->Components > 1 ? found->Components : 0;
-  return { static_cast<std::size_t>(found - arrays.begin()),
-    component < 0 ? length : static_cast<std::size_t>(component) };
+  gatun::ThrowInvalid(
+    "there is no array '" + std::string(name) + "' for the value range", file.GetPath());
+}
+
+bool HasBox(const double (&box)[6])
+{
+  return box[0] <= box[1] && box[2] <= box[3] && box[4] <= box[5];
 }
 
 //------------------------------------------------------------------------------
@@ -171,11 +170,20 @@ void vtkGatunMeshReader::vtkInternals::PublishTable(vtkInformation* outInfo)
 gatun::SimplifyProperties vtkGatunMeshReader::vtkInternals::GetProperties(
   const vtkGatunMeshReader& reader)
 {
-  static_assert(int{ TARGET_RATIO } == gatun::SimplifyTarget::Ratio);
-  static_assert(int{ TARGET_NUMBER_OF_POINTS } == gatun::SimplifyTarget::NumberOfPoints);
-  static_assert(int{ TARGET_RMS_ERROR } == gatun::SimplifyTarget::RMSError);
-  return { reader.SimplificationTarget, reader.SimplificationRatio,
-    reader.SimplificationNumberOfPoints, reader.SimplificationRMSError };
+  return { reader.SimplificationRatio, reader.SimplificationNumberOfPoints,
+    reader.SimplificationRMSError };
+}
+
+//------------------------------------------------------------------------------
+bool vtkGatunMeshReader::vtkInternals::HasValueRange(const vtkGatunMeshReader& reader)
+{
+  return reader.ValueRangeArray && *reader.ValueRangeArray;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGatunMeshReader::vtkInternals::HasRegion(const vtkGatunMeshReader& reader)
+{
+  return HasBox(reader.Box) || HasValueRange(reader);
 }
 
 //------------------------------------------------------------------------------
@@ -188,12 +196,11 @@ gatun::FileSettings vtkGatunMeshReader::vtkInternals::GetSettings(
   settings.RestoreOrder = reader.RestoreOrder;
   settings.SplitCells = reader.GetSplitsCells();
   settings.GenerateGlobalIds = reader.GenerateGlobalIds;
-  settings.HasRegion = reader.UseBox || reader.UseValueRange;
-  if (reader.OnDemand != ON_DEMAND_LARGE)
+  settings.HasRegion = HasRegion(reader);
+  if (reader.LargeMesh >= 0)
   {
-    settings.OnDemand = reader.OnDemand == ON_DEMAND_ALWAYS;
+    settings.LargeMesh = static_cast<std::uint64_t>(reader.LargeMesh);
   }
-  settings.LargeMesh = static_cast<std::uint64_t>(reader.LargeMesh);
   for (const gatun::ArrayDescription& array : this->GetFile().GetArrays())
   {
     const auto& choice = array.Where == Association::Point ? this->PointArrays : this->CellArrays;
@@ -219,19 +226,17 @@ std::vector<std::uint32_t> vtkGatunMeshReader::vtkInternals::ChunksOf(
 {
   const gatun::FileReader& mesh = this->Pieces.GetMesh();
   const std::size_t merges = this->Pieces.GetMerges();
-  const bool byValue = reader.UseValueRange && reader.ValueRangeArray && *reader.ValueRangeArray;
+  const bool byValue = HasValueRange(reader);
+  const bool byPlace = HasBox(reader.Box);
   std::pair<std::size_t, std::size_t> range;
   if (byValue)
   {
-    range = FindRange(this->GetFile(), reader.ValueRangeArray,
-      reader.ValueRangeAssociation == vtkDataObject::FIELD_ASSOCIATION_CELLS ? Association::Cell
-                                                                             : Association::Point,
-      reader.ValueRangeComponent);
+    range = FindRange(this->GetFile(), reader.ValueRangeArray);
   }
   const auto isOutside = [&](std::uint32_t chunk)
   {
     const gatun::Bounds box = mesh.GetChunkBounds(chunk, merges, step);
-    for (std::size_t axis = 0; reader.UseBox && axis < 3; ++axis)
+    for (std::size_t axis = 0; byPlace && axis < 3; ++axis)
     {
       if (!Touches(box[axis], reader.Box[2 * axis], reader.Box[2 * axis + 1]))
       {

@@ -10,6 +10,7 @@
 #include "gatunPieceReader.h"
 #include "gatunPublishedFile.h"
 #include "gatunSimplifyTarget.h"
+#include "gatunStatistics.h"
 #include "gatunStepPrefetcher.h"
 #include "gatunSurfaceGrid.h"
 #include "vtkGatunMeshReader.h"
@@ -43,6 +44,7 @@ public:
   gatun::ArrayChoice CellArrays;
   gatun::PieceReader Pieces;
   gatun::StepPrefetcher Prefetcher;
+  gatun::Statistics Statistics;
   gatun::SurfaceCells Cells; // of the surface that was read last
 
   void Close()
@@ -75,6 +77,8 @@ public:
   /** Publishes the table of chunks of the mesh in use, unless it is large. */
   void PublishTable(vtkInformation* outInfo);
 
+  static bool HasValueRange(const vtkGatunMeshReader& reader);
+  static bool HasRegion(const vtkGatunMeshReader& reader);
   static gatun::SimplifyProperties GetProperties(const vtkGatunMeshReader& reader);
   gatun::FileSettings GetSettings(const vtkGatunMeshReader& reader) const;
   void Publish(const vtkGatunMeshReader& reader, vtkInformation* outInfo) const;

@@ -6,6 +6,7 @@
 #include "gatunArrayBridge.h"
 #include "gatunBridgedMesh.h"
 #include "gatunError.h"
+#include "gatunErrorBound.h"
 #include "gatunErrorCodes.h"
 #include "gatunProcessExchange.h"
 #include "gatunReport.h"
@@ -21,6 +22,7 @@
 #include "vtkDataObject.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
@@ -29,6 +31,7 @@
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -49,6 +52,9 @@ VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkGatunWriter);
 
 //------------------------------------------------------------------------------
+vtkInformationKeyMacro(vtkGatunWriter, JOIN_POINTS, Integer);
+
+//------------------------------------------------------------------------------
 vtkGatunWriter::vtkGatunWriter()
   : Internals(std::make_unique<vtkInternals>(this))
 {
@@ -58,9 +64,6 @@ vtkGatunWriter::vtkGatunWriter()
 vtkGatunWriter::~vtkGatunWriter()
 {
   this->SetFileName(nullptr);
-  this->SetLayerArray(nullptr);
-  this->SetSpillFolder(nullptr);
-  this->SetJoinArray(nullptr);
   this->SetController(nullptr);
 }
 
@@ -69,59 +72,32 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
-  os << indent << "WriteUnlistedArrays: " << (this->WriteUnlistedArrays ? "On" : "Off") << "\n";
   os << indent << "KeepOrder: " << this->KeepOrder << "\n";
-  os << indent << "ChunkTets: " << this->ChunkTets << "\n";
+  os << indent << "ChunkSize: " << this->ChunkSize << "\n";
   os << indent << "KeyStepInterval: " << this->KeyStepInterval << "\n";
-  os << indent << "Errors:";
-  for (const std::string& error : this->Internals->Errors)
+  os << indent << "ArrayTolerances:";
+  for (const gatun::ArrayError& error : this->Internals->Tolerances)
   {
-    os << " " << error;
+    os << " " << error.Array << "=" << gatun::ToString(error.Bound);
   }
-  os << "\n" << indent << "KeepZeros: " << (this->KeepZeros ? "On" : "Off") << "\n";
-  os << indent << "FastArrays: " << (this->FastArrays ? "On" : "Off") << "\n";
+  os << "\n" << indent << "FastArrays: " << (this->FastArrays ? "On" : "Off") << "\n";
   os << indent << "Hierarchy: " << (this->Hierarchy ? "On" : "Off") << "\n";
   os << indent << "Levels: " << this->Levels << "\n";
-  os << indent << "WriteDependencies: " << (this->WriteDependencies ? "On" : "Off") << "\n";
   os << indent << "WriteBoundary: " << (this->WriteBoundary ? "On" : "Off") << "\n";
-  os << indent << "Metric: " << (this->Metric == METRIC_MASS ? "Mass" : "Density") << "\n";
-  os << indent << "BoundaryWeight: " << this->BoundaryWeight << "\n";
-  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   this->Internals->Weights.Print(os, indent);
-  os << indent << "LayerArray: " << (this->LayerArray ? this->LayerArray : "(none)") << "\n";
+  os << indent << "LayerArray: " << (this->LayerArray.empty() ? "(none)" : this->LayerArray)
+     << "\n";
   os << indent << "LayerComponent: " << this->LayerComponent << "\n";
   os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
   os << indent << "LayerSpacing: " << this->LayerSpacing << "\n";
   os << indent << "WriteAllTimeSteps: " << (this->WriteAllTimeSteps ? "On" : "Off") << "\n";
   os << indent << "SplitCells: " << (this->SplitCells ? "On" : "Off") << "\n";
-  os << indent << "ReplaceReadOnly: " << (this->ReplaceReadOnly ? "On" : "Off") << "\n";
-  os << indent << "PointError: " << this->PointError << "\n";
-  os << indent << "RelativePointError: " << this->RelativePointError << "\n";
-  os << indent << "PointBits: " << this->PointBits << "\n";
+  os << indent << "PointToleranceKind: " << this->PointToleranceKind << "\n";
+  os << indent << "PointTolerance: " << this->PointTolerance << "\n";
   os << indent << "NumberOfPieces: " << this->NumberOfPieces << "\n";
-  os << indent << "SpillMemory: " << this->SpillMemory << "\n";
-  os << indent << "SpillFolder: " << (this->SpillFolder ? this->SpillFolder : "(none)") << "\n";
-  os << indent << "JoinAllPoints: " << (this->JoinAllPoints ? "On" : "Off") << "\n";
-  os << indent << "JoinArray: " << (this->JoinArray ? this->JoinArray : "(none)") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
-  os << indent << "WrittenPoints: " << this->WrittenPoints << "\n";
-  os << indent << "WrittenCells: " << this->WrittenCells << "\n";
-  os << indent << "WrittenMeshes: " << this->WrittenMeshes << "\n";
-  os << indent << "WrittenSteps: " << this->WrittenSteps << "\n";
-  os << indent << "FileBytes: " << this->FileBytes << "\n";
-  os << indent << "ConnectivityBytes: " << this->ConnectivityBytes << "\n";
-  os << indent << "GeometryBytes: " << this->GeometryBytes << "\n";
-  os << indent << "OrderBytes: " << this->OrderBytes << "\n";
-  os << indent << "ArrayBytes: " << this->ArrayBytes << "\n";
-  os << indent << "FieldDataBytes: " << this->FieldDataBytes << "\n";
-  os << indent << "HierarchyBytes: " << this->HierarchyBytes << "\n";
-  os << indent << "DependencyBytes: " << this->DependencyBytes << "\n";
-  os << indent << "LevelBytes: " << this->LevelBytes << "\n";
-  os << indent << "BoundaryBytes: " << this->BoundaryBytes << "\n";
-  os << indent << "OtherMeshBytes: " << this->OtherMeshBytes << "\n";
-  os << indent << "DirectoryBytes: " << this->DirectoryBytes << "\n";
-  os << indent << "WrittenPointError: " << this->WrittenPointError << "\n";
-  os << indent << "BytesSent: " << this->BytesSent << "\n";
+  os << indent << "Statistics:\n";
+  this->GetStatistics()->PrintSelf(os, indent.GetNextIndent());
   os << indent << "PointDataArraySelection:\n";
   this->GetPointDataArraySelection()->PrintSelf(os, indent.GetNextIndent());
   os << indent << "CellDataArraySelection:\n";
@@ -141,14 +117,72 @@ vtkDataArraySelection* vtkGatunWriter::GetCellDataArraySelection()
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunWriter::SetChunkTets(int tets)
+void vtkGatunWriter::SetChunkSize(int tetrahedra)
 {
-  const int clamped = tets <= 0 ? 0 : std::clamp(tets, 64, 1048576);
-  if (this->ChunkTets != clamped)
+  const int clamped = tetrahedra <= 0 ? 0 : std::clamp(tetrahedra, 64, 1048576);
+  if (this->ChunkSize != clamped)
   {
-    this->ChunkTets = clamped;
+    this->ChunkSize = clamped;
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunWriter::SetArrayTolerance(const char* name, int kind, double value, bool keepZeros)
+{
+  if (!name)
+  {
+    vtkErrorMacro("A tolerance needs the name of an array, or \"*\".");
+    return;
+  }
+  auto& all = this->Internals->Tolerances;
+  std::erase_if(all, [name](const gatun::ArrayError& error) { return error.Array == name; });
+  if (kind != TOLERANCE_NONE)
+  {
+    // A kind out of range becomes one that is refused when the file is written.
+    const auto known = kind > 0 && kind <= TOLERANCE_BITS ? kind : TOLERANCE_BITS + 1;
+    all.push_back({ name, { static_cast<gatun::ErrorKind>(known), value, keepZeros } });
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunWriter::ClearArrayTolerances()
+{
+  if (!this->Internals->Tolerances.empty())
+  {
+    this->Internals->Tolerances.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunWriter::SetPointTolerance(int kind, double value)
+{
+  if (this->PointToleranceKind != kind || this->PointTolerance != value)
+  {
+    this->PointToleranceKind = kind;
+    this->PointTolerance = value;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunWriter::SetLayers(const char* array, int component, int number, int spacing)
+{
+  constexpr int mostComponents = 65535;
+  constexpr int mostLayers = 4096;
+  this->LayerArray = array ? array : "";
+  this->LayerComponent = std::clamp(component, -1, mostComponents);
+  this->NumberOfLayers = std::clamp(number, 0, mostLayers);
+  this->LayerSpacing = std::clamp<int>(spacing, LAYERS_UNIFORM, LAYERS_HISTOGRAM);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkGatunWriter::GetStatistics()
+{
+  return this->Internals->Statistics.Get();
 }
 
 //------------------------------------------------------------------------------
@@ -197,8 +231,8 @@ int vtkGatunWriter::Write()
     return 0;
   }
   self.Discard();
-  this->BytesSent = 0;
-  this->WrittenPointError = 0;
+  self.BytesSent = 0;
+  self.PointError = 0;
   self.Writing = true;
   this->SetErrorCode(vtkErrorCode::NoError);
   try
@@ -271,7 +305,7 @@ bool vtkGatunWriter::WritePieces()
       }
     }
   }
-  self.FinishPieces();
+  self.FinishPieces(nullptr);
   this->WriteTime.Modified();
   this->UpdateProgress(1);
   return true;
@@ -333,8 +367,7 @@ void vtkGatunWriter::WriteTogether()
       self.Pieces->EndSurvey();
     }
   }
-  self.FinishPieces();
-  this->BytesSent = exchange.GetBytesSent();
+  self.FinishPieces(&exchange);
   this->WriteTime.Modified();
   this->UpdateProgress(1);
 }
@@ -471,7 +504,7 @@ void vtkGatunWriter::WriteStep(vtkDataObject* input)
     self.Warn("integer coordinates are written as double");
   }
   const std::vector<gatun::BridgedArray> arrays =
-    gatun::BridgeSelected(grid, self.PointSelection, self.CellSelection, this->WriteUnlistedArrays);
+    gatun::BridgeSelected(grid, self.PointSelection, self.CellSelection);
   std::vector<gatun::ArrayDescription> descriptions;
   std::vector<const void*> values;
   for (const gatun::BridgedArray& array : arrays)

@@ -34,14 +34,16 @@
  * (vtkDataObject::DATA_TIME_STEP()).
  *
  * The file appears under its name once it is complete; after an error or an abort, an existing
- * file is left unchanged. A read-only file is replaced with ReplaceReadOnly only.
+ * file is left unchanged. A read-only file is not replaced.
  *
  * Pieces: with NumberOfPieces, the input is asked for one piece after the other, twice, and the
  * whole mesh is never in memory. Points of several pieces become one if they have the same global
- * id (or number of JoinArray), or without ids the same coordinates, and the same values of all
- * arrays at all steps. Points that differ stay apart, with a warning. An input that does not know
- * pieces is one piece. The time steps of a piece follow each other. A hierarchy and layers need the
- * whole mesh and are an error.
+ * id (or number of the array with JOIN_POINTS), or without ids the same coordinates, and the same
+ * values of all arrays at all steps. Without ids, points inside of pieces are not compared, which
+ * matters for lines and surfaces of one piece that touch the inside of another one. Points that
+ * differ stay apart, with a warning. An input that does not know pieces is one piece. The time
+ * steps of a piece follow each other. A hierarchy and layers need the whole mesh and are an error.
+ * Points that need more than 64 MiB go into unnamed temporary files in the folder of the file.
  *
  * Processes: with Controller, each process writes its own piece; there is one piece per process.
  * Points of several pieces become one as above. Only the points on the boundaries of pieces and
@@ -70,6 +72,7 @@
 #include "vtkWriter.h"
 
 #include <memory> // For std::unique_ptr
+#include <string> // For std::string
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
@@ -77,7 +80,9 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkDataArraySelection;
 class vtkDataObject;
+class vtkInformationIntegerKey;
 class vtkMultiProcessController;
+class vtkTable;
 
 class VTKGATUNIO_EXPORT vtkGatunWriter : public vtkWriter
 {
@@ -109,20 +114,12 @@ public:
 
   ///@{
   /**
-   * Which arrays to write, by name. An array that the selection does not list is written or not as
-   * WriteUnlistedArrays says; arrays without a name always are. Default: empty, so all are written.
+   * Which arrays to write, by name. Arrays that a selection does not list are written as its
+   * UnknownArraySetting says (vtkDataArraySelection; 1: written), arrays without a name always.
+   * Default: empty selections with a setting of 1, so all are written.
    */
   vtkDataArraySelection* GetPointDataArraySelection();
   vtkDataArraySelection* GetCellDataArraySelection();
-  ///@}
-
-  ///@{
-  /**
-   * Whether to write arrays that the selections do not list, too. Default: on.
-   */
-  vtkSetMacro(WriteUnlistedArrays, bool);
-  vtkGetMacro(WriteUnlistedArrays, bool);
-  vtkBooleanMacro(WriteUnlistedArrays, bool);
   ///@}
 
   ///@{
@@ -144,30 +141,40 @@ public:
   /**
    * Largest number of tetrahedra in a chunk, the smallest part that can be read: 64 to 1048576, or
    * 0 for 65536 (131072 for meshes of over one million, 262144 for over 10 million; a quarter of it
-   * with layers). Of a mesh in pieces, each counts as an equal share of the mesh. Small chunks make
-   * larger files. Default: 0.
+   * with layers). Other cells count as the tetrahedra that they can be split into. Of a mesh in
+   * pieces, each counts as an equal share of the mesh. Small chunks make larger files. Default: 0.
    */
-  virtual void SetChunkTets(int tets);
-  vtkGetMacro(ChunkTets, int);
+  virtual void SetChunkSize(int tetrahedra);
+  vtkGetMacro(ChunkSize, int);
   ///@}
+
+  /**
+   * Kinds of tolerances, with their values.
+   */
+  enum ToleranceKind
+  {
+    TOLERANCE_NONE = 0,      ///< stored without loss; the value is not used
+    TOLERANCE_ABSOLUTE = 1,  ///< largest difference, above 0, in the units of what is stored
+    TOLERANCE_RELATIVE = 2,  ///< the same, by the range of values or the longest side of the bounds
+    TOLERANCE_POINTWISE = 3, ///< the same, by the magnitude of each value, above 0 and below 1
+    TOLERANCE_BITS = 4       ///< binary digits to keep
+  };
 
   ///@{
   /**
-   * Lets the values of an array have an error: "NAME=abs:0.01", where NAME is that of an array, or
-   * "*" for all arrays of floating-point numbers that have no error of their own. What follows is
-   * - abs:E, every value differs by at most E, above 0, in its own units;
-   * - rel:E, by at most E, above 0 and at most 1, times the range of the finite values of the
-   * component at the time step. Constant components are exact;
-   * - pw:E, by at most E, above 0 and below 1, times its magnitude;
-   * - bits:N, the first N significant binary digits are right after rounding, 1 to 52.
-   * Every value is checked while it is written. NaN, infinities, ids (global, pedigree, and all of
-   * type vtkIdType) and vtkGhostType stay exact, and integers with errors below 1. The text is
-   * checked when the file is written: an unknown kind, a number out of its range, or the name of no
-   * array is an error. Default: none; all values are stored without loss.
+   * Lets the values of an array differ from those of the input. name: that of an array, or "*" for
+   * all arrays of floating-point numbers without a tolerance of their own.
+   * - TOLERANCE_RELATIVE: at most 1; by the range of the finite values of the component at the time
+   *   step. Constant components are exact.
+   * - TOLERANCE_BITS: the first 1 to 52 significant digits are right after rounding.
+   *
+   * With keepZeros, values of 0 stay exactly 0. Every value is checked while it is written. NaN,
+   * infinities, ids (global, pedigree, and all of type vtkIdType) and vtkGhostType stay exact, and
+   * so do integers with tolerances below 1. An unknown kind, a value out of its range and the name
+   * of no array are errors when the file is written. Default: none; all is stored without loss.
    */
-  virtual void AddError(const char* error);
-  virtual void ClearErrors();
-  int GetNumberOfErrors() const;
+  virtual void SetArrayTolerance(const char* name, int kind, double value, bool keepZeros = false);
+  virtual void ClearArrayTolerances();
   ///@}
 
   ///@{
@@ -183,15 +190,6 @@ public:
 
   ///@{
   /**
-   * Whether values of 0 stay exactly 0 in arrays that may have an error. Default: off.
-   */
-  vtkSetMacro(KeepZeros, bool);
-  vtkGetMacro(KeepZeros, bool);
-  vtkBooleanMacro(KeepZeros, bool);
-  ///@}
-
-  ///@{
-  /**
    * Interval of key steps, which are stored without reference to the step before, in time steps, 1
    * or more. A short one makes jumps to any step faster, a long one files smaller. Default: 8.
    */
@@ -203,8 +201,9 @@ public:
   /**
    * Whether to store a hierarchy, so that the mesh can be read and drawn with any number of points
    * (vtkGatunReader::SimplificationRatio, vtkGatunVolumeMapper): the order in which
-   * vtkGatunSimplify merges points, for the values of the first time step. This takes the time and
-   * memory of that filter. Default: off.
+   * vtkGatunSimplify merges points, with the defaults of that filter and the values of the first
+   * time step, and which merges depend on which, so that some places can be simplified more than
+   * others. This takes the time and memory of that filter. Default: off.
    */
   vtkSetMacro(Hierarchy, bool);
   vtkGetMacro(Hierarchy, bool);
@@ -224,19 +223,8 @@ public:
 
   ///@{
   /**
-   * Whether to store with the hierarchy which merges depend on which, so that the mesh need not be
-   * decoded to simplify some places more than others. A million tetrahedra take 3 to 5 bits each,
-   * about a second of one processor and 140 MB of memory. No effect without Hierarchy. Default: on.
-   */
-  vtkSetMacro(WriteDependencies, bool);
-  vtkGetMacro(WriteDependencies, bool);
-  vtkBooleanMacro(WriteDependencies, bool);
-  ///@}
-
-  ///@{
-  /**
    * Whether to store the boundary of the mesh with all arrays and time steps, which readers can
-   * show without decoding the mesh (vtkGatunMeshReader::OnDemand): the faces that only one 3D cell
+   * show without decoding the mesh (vtkGatunMeshReader::LargeMesh): the faces that only one 3D cell
    * has (of nonlinear cells, the linear faces with their corners), and the cells of a lower
    * dimension. The mesh must be in one piece and one process; surfaces are refused. Default: off.
    */
@@ -245,64 +233,9 @@ public:
   vtkBooleanMacro(WriteBoundary, bool);
   ///@}
 
-  ///@{
   /**
-   * Metric of the hierarchy, METRIC_MASS (the default) or METRIC_DENSITY, and share of the shape in
-   * the cost of a merge on the boundary, 0 to 1 (default: 0.5); see vtkGatunSimplify.
-   */
-  enum MetricType
-  {
-    METRIC_MASS = 0,
-    METRIC_DENSITY = 1
-  };
-  vtkSetClampMacro(Metric, int, METRIC_MASS, METRIC_DENSITY);
-  vtkGetMacro(Metric, int);
-  vtkSetClampMacro(BoundaryWeight, double, 0.0, 1.0);
-  vtkGetMacro(BoundaryWeight, double);
-  ///@}
-
-  ///@{
-  /**
-   * For the hierarchy of a surface: edges between triangles whose normals differ by more degrees
-   * are kept as the border is, 0 to 180. Default: 30.
-   */
-  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
-  vtkGetMacro(FeatureAngle, double);
-  ///@}
-
-  ///@{
-  /**
-   * Point array whose range of values, at the first time step, is cut into layers. Tetrahedra of
-   * the same layers are put into the same chunks, so that an isosurface needs few of them. The file
-   * and its base meshes are organized in this way, and become larger with the number of layers.
-   * Empty or null: the file is organized by position only. Default: null.
-   */
-  vtkSetStringMacro(LayerArray);
-  vtkGetStringMacro(LayerArray);
-  ///@}
-
-  ///@{
-  /**
-   * The component of LayerArray to make layers of, or -1 for the length of its tuples. Of arrays
-   * with one component, -1 is that component. Range: -1 and more. Default: -1.
-   */
-  vtkSetClampMacro(LayerComponent, int, -1, 65535);
-  vtkGetMacro(LayerComponent, int);
-  ///@}
-
-  ///@{
-  /**
-   * Largest number of layers, 0 to 4096; empty layers are left out. 0: chosen by the size of the
-   * mesh, 4 below 5.8 million tetrahedra. Default: 0.
-   */
-  vtkSetClampMacro(NumberOfLayers, int, 0, 4096);
-  vtkGetMacro(NumberOfLayers, int);
-  ///@}
-
-  ///@{
-  /**
-   * Layers are equal parts of the range, quantiles of the normal distribution with the mean and
-   * deviation of the values, or have about equal numbers of tetrahedra. Default: LAYERS_HISTOGRAM.
+   * Spacing of layers: equal parts of the range, quantiles of the normal distribution with the mean
+   * and deviation of the values, or about equal numbers of tetrahedra.
    */
   enum LayerSpacingType
   {
@@ -310,11 +243,28 @@ public:
     LAYERS_NORMAL = 2,
     LAYERS_HISTOGRAM = 3
   };
-  vtkSetClampMacro(LayerSpacing, int, LAYERS_UNIFORM, LAYERS_HISTOGRAM);
+
+  ///@{
+  /**
+   * The point array whose range of values, at the first time step, is cut into layers. Tetrahedra
+   * of the same layers are put into the same chunks, so that an isosurface needs few of them. The
+   * file and its base meshes are organized in this way, and become larger with the number of
+   * layers. Empty or null: the file is organized by position only. Default: null.
+   *
+   * component: that of the array, or -1 for the length of its tuples (of arrays with one component,
+   * that component). number: largest number of layers, 0 to 4096, where empty ones are left out; 0:
+   * by the size of the mesh, 4 below 5.8 million tetrahedra. spacing: one of LayerSpacingType.
+   * Numbers out of these ranges are clamped.
+   */
+  virtual void SetLayers(
+    const char* array, int component = -1, int number = 0, int spacing = LAYERS_HISTOGRAM);
+  const char* GetLayerArray() const
+  {
+    return this->LayerArray.empty() ? nullptr : this->LayerArray.c_str();
+  }
+  vtkGetMacro(LayerComponent, int);
+  vtkGetMacro(NumberOfLayers, int);
   vtkGetMacro(LayerSpacing, int);
-  void SetLayerSpacingToUniform() { this->SetLayerSpacing(LAYERS_UNIFORM); }
-  void SetLayerSpacingToNormal() { this->SetLayerSpacing(LAYERS_NORMAL); }
-  void SetLayerSpacingToHistogram() { this->SetLayerSpacing(LAYERS_HISTOGRAM); }
   ///@}
 
   ///@{
@@ -351,12 +301,18 @@ public:
 
   ///@{
   /**
-   * Largest difference of each coordinate from that of the input, 0 or more, in the units of the
-   * coordinates. 0: coordinates are stored without loss. Else they are rounded to multiples of the
-   * largest power of two that keeps the error, before anything else is done; values of arrays stay.
-   * Coordinates that are not finite, and integers, stay. A file becomes smaller where a coordinate
-   * has at most 65,536 different values. Points of pieces are joined by the rounded coordinates.
-   * A number that is not finite is an error. Default: 0.
+   * Lets coordinates differ from those of the input. They are rounded before anything else is done;
+   * values of arrays stay. Coordinates that are not finite, and integers, stay. A file becomes
+   * smaller where a coordinate has at most 65,536 different values.
+   * - TOLERANCE_ABSOLUTE: to multiples of the largest power of two that keeps the tolerance, so
+   * that points of pieces are joined by the rounded coordinates.
+   * - TOLERANCE_RELATIVE: the same, below 1, by the longest side of the bounds. The mesh must be in
+   *   one piece and one process.
+   * - TOLERANCE_BITS: 1 to 31 bits; to multiples of the longest side divided by 2^bits - 1, from
+   * the least corner on. The mesh must be in one piece and one process.
+   *
+   * Other kinds, and values out of range, are errors when the file is written. Default:
+   * TOLERANCE_NONE.
    *
    * No cell turns over: tetrahedra, and those at the corners of hexahedra, voxels, wedges and
    * pyramids, keep their orientation, and flat ones stay flat, in exact arithmetic. Where they
@@ -364,28 +320,9 @@ public:
    * (and more than 16) need that, or any point of a mesh in several pieces; the message suggests a
    * tolerance that works.
    */
-  vtkSetClampMacro(PointError, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(PointError, double);
-  ///@}
-
-  ///@{
-  /**
-   * The same relative to the longest side of the bounding box, from 0 to less than 1. Needs the
-   * mesh in one piece and one process. An error together with PointError or PointBits. Default: 0.
-   */
-  vtkSetMacro(RelativePointError, double);
-  vtkGetMacro(RelativePointError, double);
-  ///@}
-
-  ///@{
-  /**
-   * Bits of each coordinate, 0 to 31. 0: coordinates are stored without loss. Else they are rounded
-   * to multiples of the longest side of the bounding box divided by 2^PointBits - 1, from its least
-   * corner on. The largest error is then GetWrittenPointError, about half of that. Needs the mesh
-   * in one piece and one process. An error together with PointError. Default: 0.
-   */
-  vtkSetClampMacro(PointBits, int, 0, 31);
-  vtkGetMacro(PointBits, int);
+  virtual void SetPointTolerance(int kind, double value);
+  int GetPointToleranceKind() const { return this->PointToleranceKind; }
+  double GetPointTolerance() const { return this->PointTolerance; }
   ///@}
 
   ///@{
@@ -408,56 +345,6 @@ public:
 
   ///@{
   /**
-   * The memory for points on the boundaries of pieces, in MiB, 1 and more; further ones are put
-   * into temporary files. Default: 64.
-   */
-  vtkSetClampMacro(SpillMemory, int, 1, VTK_INT_MAX);
-  vtkGetMacro(SpillMemory, int);
-  ///@}
-
-  ///@{
-  /**
-   * The folder of temporary files when the mesh comes in pieces. They have no names where the
-   * system allows that, and none remains. Empty or null: the folder of the file. Default: null.
-   */
-  vtkSetFilePathMacro(SpillFolder);
-  vtkGetFilePathMacro(SpillFolder);
-  ///@}
-
-  ///@{
-  /**
-   * Whether to look for all points of a piece in other pieces, in place of those on its boundary.
-   * Needed only where lines or surfaces of one piece have points inside another one. Default: off.
-   */
-  vtkSetMacro(JoinAllPoints, bool);
-  vtkGetMacro(JoinAllPoints, bool);
-  vtkBooleanMacro(JoinAllPoints, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The point array of integers by which points of pieces are joined, in place of their global ids
-   * or coordinates: those with equal numbers of 0 and more. A point with a negative number is in no
-   * other piece. Points are joined wherever they are in their pieces, and JoinAllPoints has no
-   * effect. The array has one component, and is not written; a piece without it is an error. No
-   * effect if the mesh does not come in pieces. Empty or null: none. Default: null.
-   */
-  vtkSetStringMacro(JoinArray);
-  vtkGetStringMacro(JoinArray);
-  ///@}
-
-  ///@{
-  /**
-   * Whether to replace an existing file that is read-only: marked so, or of somebody else. Default:
-   * off, where that is an error.
-   */
-  vtkSetMacro(ReplaceReadOnly, bool);
-  vtkGetMacro(ReplaceReadOnly, bool);
-  vtkBooleanMacro(ReplaceReadOnly, bool);
-  ///@}
-
-  ///@{
-  /**
    * Writes the file, even if nothing has changed since it was last written. Write returns 1 on
    * success and 0 on failure; GetErrorCode then gives the reason.
    */
@@ -466,43 +353,30 @@ public:
   void Update(int port) override;
   ///@}
 
-  ///@{
   /**
-   * Statistics of the last file written: number of points and cells of all of its meshes, of meshes
-   * (1 unless the mesh changes over time) and of time steps (1 without time); bytes of the file and
-   * of its parts, which add up to it: of the first mesh connectivity, coordinates, original order,
-   * point and cell arrays, field data, hierarchy, its dependencies, base meshes and boundary; the
-   * other meshes with all of this; headers and tables. 0 before the first file.
+   * Statistics of the last file written: a table of one row, with 0 before the first file. Columns
+   * (vtkTypeUInt64Array, but PointError):
+   * - Points, Cells: of all of its meshes; Meshes: 1 unless the mesh changes over time; TimeSteps:
+   * 1 without time;
+   * - FileBytes, and the bytes of its parts, which add up to it: of the first mesh
+   *   ConnectivityBytes, GeometryBytes, OrderBytes, ArrayBytes, FieldDataBytes, HierarchyBytes,
+   *   DependencyBytes, LevelBytes and BoundaryBytes; OtherMeshBytes: the other meshes with all of
+   *   this; DirectoryBytes: headers and tables;
+   * - PointError (vtkDoubleArray): largest difference between a coordinate of the file and that of
+   *   the input, of the pieces of this process;
+   * - BytesSent: what this process has sent to the others of Controller. A broadcast counts once
+   * per receiver.
    */
-  vtkGetMacro(WrittenPoints, vtkTypeUInt64);
-  vtkGetMacro(WrittenCells, vtkTypeUInt64);
-  vtkGetMacro(WrittenMeshes, vtkTypeUInt64);
-  vtkGetMacro(WrittenSteps, vtkTypeUInt64);
-  vtkGetMacro(FileBytes, vtkTypeUInt64);
-  vtkGetMacro(ConnectivityBytes, vtkTypeUInt64);
-  vtkGetMacro(GeometryBytes, vtkTypeUInt64);
-  vtkGetMacro(OrderBytes, vtkTypeUInt64);
-  vtkGetMacro(ArrayBytes, vtkTypeUInt64);
-  vtkGetMacro(FieldDataBytes, vtkTypeUInt64);
-  vtkGetMacro(HierarchyBytes, vtkTypeUInt64);
-  vtkGetMacro(DependencyBytes, vtkTypeUInt64);
-  vtkGetMacro(LevelBytes, vtkTypeUInt64);
-  vtkGetMacro(BoundaryBytes, vtkTypeUInt64);
-  vtkGetMacro(OtherMeshBytes, vtkTypeUInt64);
-  vtkGetMacro(DirectoryBytes, vtkTypeUInt64);
-  ///@}
+  vtkTable* GetStatistics();
 
   /**
-   * Largest difference between a coordinate of the last file and that of the input, of the pieces
-   * of this process. 0 without PointError, RelativePointError and PointBits.
+   * Key in the information of a point array of integers (vtkAbstractArray::GetInformation): if it
+   * is 1, points of pieces are joined by this array, in place of their global ids or coordinates:
+   * those with equal numbers of 0 and more. A point with a negative number is in no other piece.
+   * The array has one component, and is not written; a piece without it is an error. No effect if
+   * the mesh does not come in pieces.
    */
-  vtkGetMacro(WrittenPointError, double);
-
-  /**
-   * Bytes that this process has sent to the other ones of Controller for the last file. A broadcast
-   * counts once per receiver. 0 without other processes.
-   */
-  vtkGetMacro(BytesSent, vtkTypeUInt64);
+  static vtkInformationIntegerKey* JOIN_POINTS();
 
 protected:
   vtkGatunWriter();
@@ -518,54 +392,23 @@ protected:
   void WriteData() override {}
 
   char* FileName = nullptr;
-  bool WriteUnlistedArrays = true;
   int KeepOrder = KEEP_NONE;
-  int ChunkTets = 0;
+  int ChunkSize = 0;
   int KeyStepInterval = 8;
-  bool KeepZeros = false;
   bool FastArrays = false;
   bool Hierarchy = false;
   int Levels = 0;
-  bool WriteDependencies = true;
   bool WriteBoundary = false;
-  int Metric = METRIC_MASS;
-  double BoundaryWeight = 0.5;
-  double FeatureAngle = 30;
-  char* LayerArray = nullptr;
+  std::string LayerArray;
   int LayerComponent = -1;
   int NumberOfLayers = 0;
   int LayerSpacing = LAYERS_HISTOGRAM;
   bool WriteAllTimeSteps = false;
   bool SplitCells = false;
-  bool ReplaceReadOnly = false;
-  double PointError = 0;
-  double RelativePointError = 0;
-  int PointBits = 0;
+  int PointToleranceKind = TOLERANCE_NONE;
+  double PointTolerance = 0;
   int NumberOfPieces = 1;
-  int SpillMemory = 64;
-  char* SpillFolder = nullptr;
-  bool JoinAllPoints = false;
-  char* JoinArray = nullptr;
   vtkMultiProcessController* Controller = nullptr;
-
-  vtkTypeUInt64 WrittenPoints = 0;
-  vtkTypeUInt64 WrittenCells = 0;
-  vtkTypeUInt64 WrittenMeshes = 0;
-  vtkTypeUInt64 WrittenSteps = 0;
-  vtkTypeUInt64 FileBytes = 0;
-  vtkTypeUInt64 ConnectivityBytes = 0;
-  vtkTypeUInt64 GeometryBytes = 0;
-  vtkTypeUInt64 OrderBytes = 0;
-  vtkTypeUInt64 ArrayBytes = 0;
-  vtkTypeUInt64 FieldDataBytes = 0;
-  vtkTypeUInt64 HierarchyBytes = 0;
-  vtkTypeUInt64 DependencyBytes = 0;
-  vtkTypeUInt64 LevelBytes = 0;
-  vtkTypeUInt64 BoundaryBytes = 0;
-  vtkTypeUInt64 OtherMeshBytes = 0;
-  vtkTypeUInt64 DirectoryBytes = 0;
-  double WrittenPointError = 0;
-  vtkTypeUInt64 BytesSent = 0;
 
 private:
   vtkGatunWriter(const vtkGatunWriter&) = delete;

@@ -86,10 +86,17 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkGatunWriter::vtkInternals::MakeGrid(vtkD
   {
     this->Warn(warning);
   }
-  const gatun::PointRounding rounding{ this->Owner->PointError, this->Owner->RelativePointError,
-    this->Owner->PointBits, this->PieceCount == 1 };
-  gatun::CheckRounding(rounding);
-  return gatun::RoundPoints(cells.Grid, rounding, this->Owner->WrittenPointError);
+  return gatun::RoundPoints(
+    cells.Grid, this->GetPointBound(), this->PieceCount == 1, this->PointError);
+}
+
+//------------------------------------------------------------------------------
+gatun::ErrorBound vtkGatunWriter::vtkInternals::GetPointBound() const
+{
+  const gatun::ErrorBound bound{ static_cast<gatun::ErrorKind>(this->Owner->PointToleranceKind),
+    this->Owner->PointTolerance };
+  gatun::CheckPointBound(bound);
+  return bound;
 }
 
 //------------------------------------------------------------------------------
@@ -99,19 +106,15 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(vtkUnstructuredGr
 {
   gatun::WriterOptions options;
   options.Keep = static_cast<std::uint8_t>(this->Owner->KeepOrder);
-  options.ChunkTets = static_cast<std::uint32_t>(this->Owner->ChunkTets);
+  options.ChunkSize = static_cast<std::uint32_t>(this->Owner->ChunkSize);
   options.Parts = static_cast<std::uint32_t>(this->PieceCount);
   options.KeyStepInterval = static_cast<std::uint32_t>(this->Owner->KeyStepInterval);
-  options.ReplaceReadOnly = this->Owner->ReplaceReadOnly;
   options.IsSurface = this->IsSurface.value_or(false);
   options.PointsMove = this->PointsMove;
-  for (const std::string& error : this->Errors)
-  {
-    options.Errors.push_back(gatun::ParseError(error, this->Owner->KeepZeros));
-  }
+  options.Errors = this->Tolerances;
   options.FastArrays = this->Owner->FastArrays;
   options.Boundary = this->Owner->WriteBoundary;
-  if (this->Owner->LayerArray && *this->Owner->LayerArray)
+  if (!this->Owner->LayerArray.empty())
   {
     options.Layers =
       gatun::FindLayerArray(arrays, this->Owner->LayerArray, this->Owner->LayerComponent);
@@ -125,7 +128,7 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(vtkUnstructuredGr
       tree = std::make_unique<gatun::MergeTree>(this->BuildTree(grid, options.IsSurface));
     }
     options.Tree = tree.get();
-    options.Dependencies = this->Owner->WriteDependencies;
+    options.Dependencies = true;
     options.Levels = static_cast<unsigned>(this->Owner->Levels);
   }
   return options;
@@ -142,12 +145,8 @@ gatun::MergeTree vtkGatunWriter::vtkInternals::BuildTree(vtkUnstructuredGrid* gr
     }
     return !gatun::IsAborted(this->Owner);
   };
-  return isSurface
-    ? gatun::BuildSurfaceMergeTree(grid, this->Weights,
-        { this->Owner->BoundaryWeight, this->Owner->FeatureAngle, false }, progress)
-    : gatun::BuildMergeTree(grid, this->Weights,
-        { static_cast<gatun::MergeMetric>(this->Owner->Metric), this->Owner->BoundaryWeight },
-        progress);
+  return isSurface ? gatun::BuildSurfaceMergeTree(grid, this->Weights, {}, progress)
+                   : gatun::BuildMergeTree(grid, this->Weights, {}, progress);
 }
 
 //------------------------------------------------------------------------------
@@ -287,56 +286,37 @@ void vtkGatunWriter::vtkInternals::Restart()
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunWriter::AddError(const char* error)
-{
-  if (error && *error)
-  {
-    this->Internals->Errors.emplace_back(error);
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunWriter::ClearErrors()
-{
-  if (!this->Internals->Errors.empty())
-  {
-    this->Internals->Errors.clear();
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-int vtkGatunWriter::GetNumberOfErrors() const
-{
-  return static_cast<int>(this->Internals->Errors.size());
-}
-
-//------------------------------------------------------------------------------
 void vtkGatunWriter::vtkInternals::PublishStatistics(
   const gatun::FileStatistics& statistics, std::uint64_t points, std::uint64_t cells)
 {
-  this->Owner->WrittenPoints = points;
-  this->Owner->WrittenCells = cells;
-  this->Owner->WrittenMeshes = this->Meshes.empty() ? 1 : this->Meshes.back().Number + 1;
-  this->Owner->WrittenSteps = this->GetNumberOfSteps();
-  this->Owner->FileBytes = statistics.FileBytes;
-  this->Owner->ConnectivityBytes = statistics.ConnectivityBytes;
-  this->Owner->GeometryBytes =
-    statistics.GeometryBytes + statistics.SharedGeometryBytes + statistics.MotionBytes;
-  this->Owner->OrderBytes = statistics.OrderBytes;
-  this->Owner->ArrayBytes = 0;
+  std::uint64_t arrayBytes = 0;
   for (const std::uint64_t bytes : statistics.ArrayBytes)
   {
-    this->Owner->ArrayBytes += bytes;
+    arrayBytes += bytes;
   }
-  this->Owner->FieldDataBytes = statistics.FieldDataBytes;
-  this->Owner->HierarchyBytes = statistics.TreeBytes;
-  this->Owner->DependencyBytes = statistics.DependencyBytes;
-  this->Owner->LevelBytes = statistics.LevelBytes;
-  this->Owner->BoundaryBytes = statistics.BoundaryBytes;
-  this->Owner->OtherMeshBytes = statistics.OtherMeshBytes;
-  this->Owner->DirectoryBytes = statistics.DirectoryBytes;
+  const bool isWritten = statistics.FileBytes > 0;
+  gatun::Statistics& table = this->Statistics;
+  table.Clear();
+  table.Add("Points", points);
+  table.Add("Cells", cells);
+  table.Add(
+    "Meshes", std::uint64_t{ this->Meshes.empty() ? isWritten : this->Meshes.back().Number + 1 });
+  table.Add("TimeSteps", std::uint64_t{ isWritten ? this->GetNumberOfSteps() : 0 });
+  table.Add("FileBytes", statistics.FileBytes);
+  table.Add("ConnectivityBytes", statistics.ConnectivityBytes);
+  table.Add("GeometryBytes",
+    statistics.GeometryBytes + statistics.SharedGeometryBytes + statistics.MotionBytes);
+  table.Add("OrderBytes", statistics.OrderBytes);
+  table.Add("ArrayBytes", arrayBytes);
+  table.Add("FieldDataBytes", statistics.FieldDataBytes);
+  table.Add("HierarchyBytes", statistics.TreeBytes);
+  table.Add("DependencyBytes", statistics.DependencyBytes);
+  table.Add("LevelBytes", statistics.LevelBytes);
+  table.Add("BoundaryBytes", statistics.BoundaryBytes);
+  table.Add("OtherMeshBytes", statistics.OtherMeshBytes);
+  table.Add("DirectoryBytes", statistics.DirectoryBytes);
+  table.Add("PointError", this->PointError);
+  table.Add("BytesSent", this->BytesSent);
 }
 
 //------------------------------------------------------------------------------
@@ -366,7 +346,7 @@ void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
 {
   this->PieceCount = pieces;
   const vtkGatunWriter* owner = this->Owner;
-  if (owner->Hierarchy || (owner->LayerArray && *owner->LayerArray))
+  if (owner->Hierarchy || !owner->LayerArray.empty())
   {
     gatun::ThrowInvalid("a hierarchy or layers need the whole mesh in one piece and one process; "
                         "write the file without them, and add them with 'gtn pack --hierarchy' or "
@@ -377,32 +357,28 @@ void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
     gatun::ThrowInvalid("the boundary needs the whole mesh in one piece and one process; write the "
                         "file without it, and add it with 'gtn pack --boundary'");
   }
-  if (owner->PointBits > 0 || owner->RelativePointError > 0)
+  const gatun::ErrorKind rounding = this->GetPointBound().Kind;
+  if (rounding == gatun::ErrorKind::Relative || rounding == gatun::ErrorKind::Bits)
   {
-    gatun::ThrowInvalid("a number of bits, or a relative error of coordinates, needs the bounds of "
-                        "the whole mesh, in one piece and one process; give the largest error");
+    gatun::ThrowInvalid(
+      "a number of bits, or a relative tolerance of coordinates, needs the bounds "
+      "of the whole mesh, in one piece and one process; give an absolute one");
   }
   gatun::PartWriterOptions options;
   std::unique_ptr<gatun::MergeTree> none;
   options.File = this->MakeOptions(nullptr, {}, none);
-  options.SpillFolder = owner->SpillFolder ? owner->SpillFolder : "";
-  options.SpillMemory = static_cast<std::size_t>(owner->SpillMemory) << 20;
-  options.JoinAllPoints = owner->JoinAllPoints;
-  options.JoinByIdsOnly = owner->JoinArray && *owner->JoinArray;
   this->Pieces = std::make_unique<gatun::GridPieces>(
     owner->FileName ? owner->FileName : "", options,
     [this](vtkUnstructuredGrid* piece)
-    {
-      return gatun::BridgeSelected(
-        piece, this->PointSelection, this->CellSelection, this->Owner->WriteUnlistedArrays);
-    },
-    owner->JoinArray ? owner->JoinArray : "");
+    { return gatun::BridgeSelected(piece, this->PointSelection, this->CellSelection); },
+    vtkGatunWriter::JOIN_POINTS());
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunWriter::vtkInternals::FinishPieces()
+void vtkGatunWriter::vtkInternals::FinishPieces(const gatun::ProcessExchange* exchange)
 {
   const gatun::PartStatistics statistics = this->Pieces->Finish();
+  this->BytesSent = exchange ? exchange->GetBytesSent() : 0;
   if (this->Pieces->ArePointsConverted())
   {
     this->Warn("integer coordinates are written as double");

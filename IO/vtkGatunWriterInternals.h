@@ -7,10 +7,13 @@
 #include "gatunArrayBridge.h"
 #include "gatunBridgedMesh.h"
 #include "gatunError.h"
+#include "gatunErrorBound.h"
 #include "gatunFileWriter.h"
 #include "gatunFindCells.h"
 #include "gatunGridPieces.h"
 #include "gatunMergeGrid.h"
+#include "gatunProcessExchange.h"
+#include "gatunStatistics.h"
 #include "vtkGatunWriter.h"
 
 #include "vtkDataArraySelection.h"
@@ -38,6 +41,9 @@ public:
   explicit vtkInternals(vtkGatunWriter* owner)
     : Owner(owner)
   {
+    this->PointSelection->SetUnknownArraySetting(1);
+    this->CellSelection->SetUnknownArraySetting(1);
+    this->PublishStatistics({}, 0, 0);
   }
 
   void Warn(const std::string& what);
@@ -57,11 +63,13 @@ public:
 
   // Begins the file once more, because the points of a step differ from those of the first one.
   void Restart();
+  gatun::ErrorBound GetPointBound() const;
   gatun::MergeTree BuildTree(vtkUnstructuredGrid* grid, bool isSurface);
   void PublishStatistics(
     const gatun::FileStatistics& statistics, std::uint64_t points, std::uint64_t cells);
   void BeginPieces(int pieces);
-  void FinishPieces();
+  // exchange: between the processes that write together, or null.
+  void FinishPieces(const gatun::ProcessExchange* exchange);
   vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(vtkDataObject* input);
   gatun::GridPieces::Step DescribeStep(vtkDataObject* input, vtkFieldData* fieldData);
 
@@ -69,7 +77,7 @@ public:
   vtkNew<vtkDataArraySelection> PointSelection;
   vtkNew<vtkDataArraySelection> CellSelection;
   gatun::MergeWeights Weights;
-  std::vector<std::string> Errors; // of arrays, as given
+  std::vector<gatun::ArrayError> Tolerances; // as given
 
   // The times to write, if all time steps of the input are wanted, and the next one of them.
   std::vector<double> Times;
@@ -102,6 +110,9 @@ public:
   std::unique_ptr<gatun::MergeTree> FirstTree; // that of the first mesh, then
   std::uint64_t Points = 0;                    // of all meshes
   std::uint64_t Cells = 0;
+  double PointError = 0; // largest difference of a coordinate
+  std::uint64_t BytesSent = 0;
+  gatun::Statistics Statistics; // of the last file
   std::set<std::string> Warned;
   std::optional<bool> IsSurface; // once there is an input
 

@@ -22,10 +22,14 @@
 #include "gatunError.h"
 #include "gatunErrorBound.h"
 #include "gatunFileReader.h"
+#include "gatunPointRounding.h"
 #include "vtkGatunWriter.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -34,6 +38,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -51,72 +56,50 @@ struct PackOptions
   bool Overwrite = false;
   InputOptions Input;
   std::string KeepOrder = "none";
-  int ChunkTets = 0;
-  int KeySteps = 8;
+  int ChunkSize = 0;
+  int KeyStepInterval = 8;
   bool Hierarchy = false;
   int Levels = 0;
-  bool NoDependencies = false;
   bool Boundary = false;
   MergeOptions Merges;
-  std::optional<double> FeatureAngle;
   std::optional<std::string> Layers; ///< as given
   int LayerComponent = -1;
-  std::optional<std::string> PointError; ///< as given
-  std::vector<std::string> Errors;       ///< of arrays, as given
-  bool KeepZeros = false;
+  std::optional<std::string> PointTolerance; ///< as given
+  std::vector<std::string> Tolerances;       ///< of arrays, as given
   bool FastArrays = false;
   PieceOptions Pieces;
 };
 
-/** Sets how coordinates are rounded: abs:E, rel:E or bits:N. */
-void SetPointError(vtkGatunWriter* writer, const std::string& text)
+/** Sets how coordinates are rounded. */
+void SetPointTolerance(vtkGatunWriter* writer, const std::string& text)
 {
-  constexpr int mostBits = 31;
-  const std::string_view given(text);
-  const std::size_t colon = std::min(given.find(':'), given.size());
-  const std::string_view kind = given.substr(0, colon);
-  const std::string value(given.substr(std::min(colon + 1, given.size())));
-  if (kind == "abs")
+  const auto bound = gatun::ParseBound(text);
+  if (!bound)
   {
-    const double error = Parse<double>(value).value_or(-1);
-    if (error > 0 && std::isfinite(error))
-    {
-      writer->SetPointError(error);
-      return;
-    }
+    Refuse("--point-tolerance", text,
+      "abs:E with a number E above 0, rel:E with E from 0 to 1, or bits:N with N from 1 to 31");
   }
-  if (kind == "rel")
-  {
-    const double error = Parse<double>(value).value_or(-1);
-    if (error > 0 && error < 1)
-    {
-      writer->SetRelativePointError(error);
-      return;
-    }
-  }
-  if (kind == "bits")
-  {
-    const int bits = Parse<int>(value).value_or(0);
-    if (bits >= 1 && bits <= mostBits)
-    {
-      writer->SetPointBits(bits);
-      return;
-    }
-  }
-  Refuse("--point-error", text,
-    "abs:E with a number E above 0, rel:E with E from 0 to 1, or bits:N with N from 1 to 31");
+  gatun::CheckPointBound(*bound);
+  writer->SetPointTolerance(static_cast<int>(bound->Kind), bound->Bound);
 }
 
-/** Throws unless a text tells the error of an array. */
-void CheckError(const std::string& text)
+void SetArrayTolerance(vtkGatunWriter* writer, const std::string& text)
+{
+  const gatun::ArrayError error = gatun::ParseError(text);
+  writer->SetArrayTolerance(error.Array.c_str(), static_cast<int>(error.Bound.Kind),
+    error.Bound.Bound, error.Bound.KeepZeros);
+}
+
+/** Calls a function with the value of an option. Throws UsageError if that is wrong. */
+void SetOption(const char* option, const std::function<void()>& set)
 {
   try
   {
-    gatun::ParseError(text, false);
+    set();
   }
   catch (const gatun::Error& error)
   {
-    throw UsageError("--error: " + std::string(error.what()));
+    throw UsageError(std::string(option) + ": " + error.what());
   }
 }
 
@@ -133,23 +116,23 @@ void SetLayers(vtkGatunWriter* writer, const PackOptions& options)
   constexpr int most = 4096;
   const ArraySetting choice =
     ParseArraySetting("--layers", *options.Layers, most, "uniform|normal|histogram");
-  writer->SetLayerArray(choice.Name.c_str());
-  writer->SetLayerComponent(options.LayerComponent);
-  writer->SetNumberOfLayers(choice.Count.value_or(0));
-  writer->SetLayerSpacing(choice.Word == "uniform" ? vtkGatunWriter::LAYERS_UNIFORM
-      : choice.Word == "normal"                    ? vtkGatunWriter::LAYERS_NORMAL
-                                                   : vtkGatunWriter::LAYERS_HISTOGRAM);
+  writer->SetLayers(choice.Name.c_str(), options.LayerComponent, choice.Count.value_or(0),
+    choice.Word == "uniform"    ? vtkGatunWriter::LAYERS_UNIFORM
+      : choice.Word == "normal" ? vtkGatunWriter::LAYERS_NORMAL
+                                : vtkGatunWriter::LAYERS_HISTOGRAM);
 }
 
 void PrintSizes(vtkGatunWriter* writer, const PackOptions& options, bool verbose)
 {
   const gatun::FileReader file(options.Out);
-  const auto cells = static_cast<double>(writer->GetWrittenCells());
-  const vtkTypeUInt64 steps = writer->GetWrittenSteps();
-  const vtkTypeUInt64 meshes = writer->GetWrittenMeshes();
+  const vtkSmartPointer<vtkTable> table = writer->GetStatistics();
+  const auto get = [&](const char* name) { return table->GetValueByName(0, name).ToTypeUInt64(); };
+  const auto cells = static_cast<double>(get("Cells"));
+  const vtkTypeUInt64 steps = get("TimeSteps");
+  const vtkTypeUInt64 meshes = get("Meshes");
   fmt::print("{}: {}, {} points{}{}\n", options.Out,
-    meshes > 1 ? GroupDigits(writer->GetWrittenCells()) + " cells" : ListCells(file),
-    GroupDigits(writer->GetWrittenPoints()), meshes > 1 ? fmt::format(" of {} meshes", meshes) : "",
+    meshes > 1 ? GroupDigits(get("Cells")) + " cells" : ListCells(file), GroupDigits(get("Points")),
+    meshes > 1 ? fmt::format(" of {} meshes", meshes) : "",
     steps > 1 ? fmt::format(", {} time steps", steps) : "");
   const auto print = [cells](const std::string& name, vtkTypeUInt64 bytes)
   {
@@ -163,9 +146,9 @@ void PrintSizes(vtkGatunWriter* writer, const PackOptions& options, bool verbose
       fmt::print("\n");
     }
   };
-  print("connectivity", writer->GetConnectivityBytes());
-  print("points", writer->GetGeometryBytes());
-  print("arrays", writer->GetArrayBytes());
+  print("connectivity", get("ConnectivityBytes"));
+  print("points", get("GeometryBytes"));
+  print("arrays", get("ArrayBytes"));
   if (verbose)
   {
     const std::vector<std::uint64_t> bytes = file.GetStatistics().ArrayBytes;
@@ -174,25 +157,24 @@ void PrintSizes(vtkGatunWriter* writer, const PackOptions& options, bool verbose
       print("  " + MakePrintableLine(file.GetArrays()[i].Name), bytes[i]);
     }
   }
-  print("order", writer->GetOrderBytes());
-  print("field data", writer->GetFieldDataBytes());
-  print("hierarchy", writer->GetHierarchyBytes());
-  print("dependencies", writer->GetDependencyBytes());
-  print("base meshes", writer->GetLevelBytes());
-  print("boundary", writer->GetBoundaryBytes());
-  print("other meshes", writer->GetOtherMeshBytes());
-  print("directory", writer->GetDirectoryBytes());
-  print("file", writer->GetFileBytes());
-  if (writer->GetPointError() > 0 || writer->GetRelativePointError() > 0 ||
-    writer->GetPointBits() > 0)
+  print("order", get("OrderBytes"));
+  print("field data", get("FieldDataBytes"));
+  print("hierarchy", get("HierarchyBytes"));
+  print("dependencies", get("DependencyBytes"));
+  print("base meshes", get("LevelBytes"));
+  print("boundary", get("BoundaryBytes"));
+  print("other meshes", get("OtherMeshBytes"));
+  print("directory", get("DirectoryBytes"));
+  print("file", get("FileBytes"));
+  if (options.PointTolerance)
   {
-    fmt::print("  coordinates differ by at most {:.6g}\n", writer->GetWrittenPointError());
+    fmt::print("  coordinates differ by at most {:.6g}\n",
+      table->GetValueByName(0, "PointError").ToDouble());
   }
-  if (writer->GetHierarchyBytes() > 0 && writer->GetWrittenPoints() > 0)
+  if (get("HierarchyBytes") > 0 && get("Points") > 0)
   {
     fmt::print("  the hierarchy takes {:.2f} bits per point\n",
-      8. * static_cast<double>(writer->GetHierarchyBytes()) /
-        static_cast<double>(writer->GetWrittenPoints()));
+      8. * static_cast<double>(get("HierarchyBytes")) / static_cast<double>(get("Points")));
   }
 }
 
@@ -207,31 +189,27 @@ void Pack(const PackOptions& options, const Settings& settings)
   {
     SetLayers(writer, options);
   }
-  if (options.PointError)
+  if (options.PointTolerance)
   {
-    SetPointError(writer, *options.PointError);
+    SetOption("--point-tolerance", [&] { SetPointTolerance(writer, *options.PointTolerance); });
   }
-  for (const std::string& error : options.Errors)
+  for (const std::string& tolerance : options.Tolerances)
   {
-    CheckError(error);
-    writer->AddError(error.c_str());
+    SetOption("--tolerance", [&] { SetArrayTolerance(writer, tolerance); });
   }
-  writer->SetKeepZeros(options.KeepZeros);
   writer->SetFastArrays(options.FastArrays);
   Input input(options.In, options.Input);
   CheckWritable(options.Out, options.Overwrite);
 
   writer->SetFileName(options.Out.c_str());
   writer->SetKeepOrder(OrderOf(options.KeepOrder));
-  writer->SetChunkTets(options.ChunkTets);
-  writer->SetKeyStepInterval(options.KeySteps);
+  writer->SetChunkSize(options.ChunkSize);
+  writer->SetKeyStepInterval(options.KeyStepInterval);
   writer->WriteAllTimeStepsOn();
   writer->SetHierarchy(options.Hierarchy || options.Levels > 0);
   writer->SetLevels(options.Levels);
-  writer->SetWriteDependencies(!options.NoDependencies);
   writer->SetWriteBoundary(options.Boundary);
-  options.Merges.Apply(writer.Get());
-  writer->SetFeatureAngle(options.FeatureAngle.value_or(writer->GetFeatureAngle()));
+  options.Merges.ApplyWeights(writer.Get());
   if (!SetPieces(writer, input, options.Pieces, settings))
   {
     Progress progress("reading", settings.ShowProgress);
@@ -265,8 +243,8 @@ void AddPack(CLI::App& app, Settings& settings)
     "  gtn pack --layers temperature:8 mesh.vtu mesh.gtn\n"
     "  gtn pack run_0.vtu run_1.vtu run_2.vtu run.gtn\n"
     "  gtn pack run.pvd run.gtn\n"
-    "  gtn pack --point-error abs:1e-6 surface.stl surface.gtn\n"
-    "  gtn pack --error pressure=abs:0.01 --error '*=rel:1e-4' mesh.vtu mesh.gtn\n"
+    "  gtn pack --point-tolerance abs:1e-6 surface.stl surface.gtn\n"
+    "  gtn pack --tolerance pressure=abs:0.01 --tolerance '*=rel:1e-4' mesh.vtu mesh.gtn\n"
     "  gtn pack --memory 2000 --spill /scratch large.pvtu large.gtn\n"
     "  gtn pack -f crash.e crash.gtn\n"
     "  gtn pack --sets crash.e crash.gtn");
@@ -282,13 +260,13 @@ void AddPack(CLI::App& app, Settings& settings)
     ->check(CLI::IsMember({ "none", "points", "cells", "all" }))
     ->option_text("WHAT");
   command
-    ->add_option("--chunk", options->ChunkTets,
+    ->add_option("--chunk-size", options->ChunkSize,
       "Maximum number of tetrahedra per chunk, 64 to 1048576 (default: 65536; 131072 for more than "
       "one million tetrahedra, 262144 for more than 10 million; a quarter of that with --layers)")
     ->check(CLI::Range(64, 1048576))
     ->option_text("N");
   command
-    ->add_option("--key-steps", options->KeySteps,
+    ->add_option("--key-step-interval", options->KeyStepInterval,
       "Interval of key steps, which are coded independently of other time steps, 1 to 1000000 "
       "(default: 8)")
     ->check(CLI::Range(1, 1000000))
@@ -302,16 +280,11 @@ void AddPack(CLI::App& app, Settings& settings)
       "the one before, so that coarse levels of detail are read fast (default: 0)")
     ->check(CLI::Range(0, 64))
     ->option_text("N");
-  command->add_flag("--no-dependencies", options->NoDependencies,
-    "Leave out which collapses of the hierarchy depend on which. They take 3 to 5 bits a "
-    "tetrahedron. Without them, programs that simplify the mesh more in some places than in others "
-    "have to decode it first");
   command->add_flag("--boundary", options->Boundary,
     "Store the boundary of the mesh, too, so that ParaView shows it at once when the mesh is read "
     "on "
     "demand");
-  AddMergeOptions(command, options->Merges);
-  AddFeatureAngle(command, options->FeatureAngle);
+  AddWeights(command, options->Merges);
   auto* layers = command
                    ->add_option("--layers", options->Layers,
                      "Arrange the chunks by the values of a point array at the first time step, so "
@@ -323,29 +296,25 @@ void AddPack(CLI::App& app, Settings& settings)
     "Component for --layers: a number from 0, or magnitude (default: magnitude)")
     ->needs(layers);
   command
-    ->add_option("--point-error", options->PointError,
+    ->add_option("--point-tolerance", options->PointTolerance,
       "Round coordinates: abs:E changes each of them by at most E, above 0, in their units; rel:E "
       "by "
       "at most E times the longest side of the bounding box; bits:N gives that side 2^N places, N "
       "from 1 to 31. No cell turns over: where one would, coordinates are finer. Values of arrays "
       "stay (default: none; everything is stored without loss)")
     ->option_text("WHAT");
-  auto* errors =
-    command
-      ->add_option("--error", options->Errors,
-        "Let the values of an array differ by at most a bound, NAME=KIND:E. NAME is an array, or * "
-        "for "
-        "all floating-point arrays that are not named. KIND is abs (the difference), rel (by the "
-        "range "
-        "of the component at the time step), pw (by the magnitude of the value), or bits (the "
-        "number of "
-        "significant binary digits to keep, 1 to 52). Ids, NaN and infinities stay exact. May be "
-        "repeated (default: none; everything is stored without loss)")
-      ->allow_extra_args(false)
-      ->option_text("NAME=KIND:E");
   command
-    ->add_flag("--keep-zeros", options->KeepZeros, "Keep values of 0 exact in arrays of --error")
-    ->needs(errors);
+    ->add_option("--tolerance", options->Tolerances,
+      "Let the values of an array differ by at most a bound, NAME=KIND:E. NAME is an array, or * "
+      "for "
+      "all floating-point arrays that are not named. KIND is abs (the difference), rel (by the "
+      "range "
+      "of the component at the time step), pw (by the magnitude of the value), or bits (the number "
+      "of significant binary digits to keep, 1 to 52). With ',zeros' at the end, values of 0 stay "
+      "exact. Ids, NaN and infinities always do. May be repeated (default: none; everything is "
+      "stored without loss)")
+    ->allow_extra_args(false)
+    ->option_text("NAME=KIND:E");
   command->add_flag("--fast-arrays", options->FastArrays,
     "Compress arrays so that they are read faster, in one to two thirds of the time. The file is "
     "larger, by 2 to 15 percent (default: as small as possible)");
@@ -353,7 +322,7 @@ void AddPack(CLI::App& app, Settings& settings)
   command->add_flag("--triangles", options->Input.Triangles,
     "Divide the polygons and strips of a surface into triangles, which --hierarchy and --levels "
     "need");
-  command->add_flag("--tets", options->Input.Split,
+  command->add_flag("--split-cells", options->Input.Split,
     "Split 3D cells into tetrahedra. Nonlinear ones lose the points between their corners, and "
     "cells of a lower dimension are left out");
   auto* files = command->add_option(FilesArgument, options->In,
@@ -368,12 +337,9 @@ void AddPack(CLI::App& app, Settings& settings)
       {
         throw UsageError("pack takes one or more meshes and then the name of a .gtn file");
       }
-      const bool isMerging =
-        options->Merges.AreGiven || options->FeatureAngle.has_value() || options->NoDependencies;
-      if (isMerging && !options->Hierarchy && options->Levels == 0)
+      if (options->Merges.AreGiven && !options->Hierarchy && options->Levels == 0)
       {
-        throw UsageError("--weight, --metric, --boundary-weight, --feature-angle and "
-                         "--no-dependencies need --hierarchy or --levels");
+        throw UsageError("--weight needs --hierarchy or --levels");
       }
       options->Input.InPieces = options->Pieces.AreGiven();
       options->Out = options->In.back();

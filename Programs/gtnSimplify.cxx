@@ -45,7 +45,6 @@ struct SimplifyOptions
   InputOptions Input;
   TargetOptions Target;
   MergeOptions Merges;
-  std::optional<double> FeatureAngle;
 };
 
 bool IsSurfaceName(const std::string& file)
@@ -58,7 +57,7 @@ bool IsSurfaceName(const std::string& file)
 vtkGatunMeshReader* FindHierarchy(const Input& input, const SimplifyOptions& options)
 {
   auto* const reader = vtkGatunMeshReader::SafeDownCast(input.GetSource());
-  const bool isOther = options.Merges.AreGiven || options.FeatureAngle.has_value();
+  const bool isOther = options.Merges.AreGiven;
   return reader && reader->GetHasHierarchy() && !isOther ? reader : nullptr;
 }
 
@@ -101,7 +100,6 @@ void SimplifySurface(vtkPolyData* surface, const SimplifyOptions& options, const
   vtkNew<vtkGatunSimplify> simplifier;
   options.Target.Apply(simplifier.Get());
   options.Merges.Apply(simplifier.Get());
-  simplifier->SetFeatureAngle(options.FeatureAngle.value_or(simplifier->GetFeatureAngle()));
   RunSimplifier(simplifier, surface, options, settings);
   WriteTriangles(simplifier->GetPolyDataOutput(), options, settings);
   PrintError(surface, simplifier, settings);
@@ -179,7 +177,6 @@ void AddSimplify(CLI::App& app, Settings& settings)
   AddForce(command, options->Overwrite);
   AddTarget(command, options->Target, "0.5");
   AddMergeOptions(command, options->Merges);
-  AddFeatureAngle(command, options->FeatureAngle);
   AddStep(command, options->Step);
   command
     ->add_option("IN", options->In,

@@ -135,7 +135,7 @@ private:
     this->Cells = file.GetNumberOfCells();
     this->Reader = vtkSmartPointer<vtkGatunSurfaceReader>::New();
     this->Reader->SetFileName(options.File.c_str());
-    this->Reader->SetOnDemand(vtkGatunSurfaceReader::ON_DEMAND_ALWAYS);
+    this->Reader->SetLargeMesh(0);
     if (place.Time)
     {
       this->Reader->UpdateTimeStep(*place.Time);

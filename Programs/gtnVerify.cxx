@@ -194,8 +194,8 @@ void AddVerify(CLI::App& app, Settings& settings)
     "  gtn verify run.gtn run_0.vtu run_1.vtu run_2.vtu");
   AddArrays(command, options->Input, "Compare only these point and cell arrays");
   AddSets(command, options->Input);
-  command->add_flag(
-    "--tets", options->Input.Split, "Split the cells of ORIGINAL, which was packed with --tets");
+  command->add_flag("--split-cells", options->Input.Split,
+    "Split the cells of ORIGINAL, which was packed with --split-cells");
   command->add_flag("--triangles", options->Input.Triangles,
     "Divide the polygons and strips of ORIGINAL, which was packed with --triangles");
   command->add_option("IN", options->File, "The .gtn file")->required();

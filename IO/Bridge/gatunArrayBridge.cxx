@@ -193,6 +193,10 @@ vtkSmartPointer<vtkAbstractArray> Gather(
   gathered->SetNumberOfComponents(array->GetNumberOfComponents());
   gathered->SetNumberOfTuples(size);
   SetNames(gathered, NameOf(array), ComponentNamesOf(array));
+  if (array->HasInformation())
+  {
+    gathered->CopyInformation(array->GetInformation());
+  }
   auto* numbers = vtkDataArray::SafeDownCast(array);
   if (numbers && array->GetDataType() != VTK_BIT)
   {

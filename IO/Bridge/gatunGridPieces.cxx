@@ -8,6 +8,8 @@
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
@@ -64,11 +66,11 @@ std::vector<std::int64_t> GetIds(vtkUnstructuredGrid* piece, vtkDataArray* ids)
 //------------------------------------------------------------------------------
 GridPieces::GridPieces(const std::string& path, const PartWriterOptions& options,
   std::function<std::vector<BridgedArray>(vtkUnstructuredGrid*)> select,
-  const std::string& joinArray)
+  vtkInformationIntegerKey* joinKey)
   : Path(path)
   , Options(options)
   , Select(std::move(select))
-  , JoinArray(joinArray)
+  , JoinKey(joinKey)
 {
 }
 
@@ -96,27 +98,47 @@ GridPieces::Input GridPieces::MakeInput(vtkUnstructuredGrid* piece, std::size_t 
 }
 
 //------------------------------------------------------------------------------
-/** The numbers that points are joined by, if there are any. The array that the caller has named is
- * removed from those to write. */
+/** The array that points are joined by in place of global ids or coordinates, or null. */
+vtkDataArray* GridPieces::FindMarked(vtkUnstructuredGrid* piece) const
+{
+  vtkPointData* const data = piece->GetPointData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* const array = data->GetArray(i);
+    if (array && array->HasInformation() && array->GetInformation()->Get(this->JoinKey) == 1)
+    {
+      return array;
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+/** The numbers that points are joined by, if there are any. A marked array is removed from those to
+ * write. */
 std::vector<std::int64_t> GridPieces::FindIds(Input& input, std::size_t number) const
 {
-  vtkPointData* const data = input.Grid->GetPointData();
-  if (this->JoinArray.empty())
+  vtkDataArray* const marked = this->FindMarked(input.Grid);
+  if (this->File && this->Options.JoinByIdsOnly != (marked != nullptr))
   {
-    return GetIds(input.Grid, data->GetGlobalIds());
+    ThrowInvalid(NameOf(number) +
+      (marked ? " has a point array to join by, and the pieces before have none"
+              : " has no point array to join by, and the pieces before have one"));
   }
-  auto ids = GetIds(input.Grid, data->GetArray(this->JoinArray.c_str()));
+  if (!marked)
+  {
+    return GetIds(input.Grid, input.Grid->GetPointData()->GetGlobalIds());
+  }
+  auto ids = GetIds(input.Grid, marked);
+  const std::string name = marked->GetName() ? marked->GetName() : "";
   if (ids.empty() && input.Grid->GetNumberOfPoints() > 0)
   {
-    ThrowInvalid(
-      NameOf(number) + " has no point array '" + this->JoinArray + "' with integers to join by");
+    ThrowInvalid("the point array '" + name + "' of " + NameOf(number) +
+      " has no integers to join by, one for each point");
   }
   std::erase_if(input.Arrays,
-    [this](const BridgedArray& array)
-    {
-      return array.Description.Where == Association::Point &&
-        array.Description.Name == this->JoinArray;
-    });
+    [&](const BridgedArray& array)
+    { return array.Description.Where == Association::Point && array.Description.Name == name; });
   return ids;
 }
 
@@ -153,6 +175,7 @@ void GridPieces::Open(const Input& input)
   {
     this->Arrays.push_back(array.Description);
   }
+  this->Options.JoinByIdsOnly = this->FindMarked(input.Grid) != nullptr;
   this->File = std::make_unique<PartWriter>(this->Path, this->Arrays, this->Options);
 }
 
@@ -173,6 +196,7 @@ void GridPieces::OpenTogether(PartExchange& exchange, vtkUnstructuredGrid* piece
         }
       }
     });
+  this->Options.JoinByIdsOnly = exchange.IsAny(!isEmpty && this->FindMarked(piece) != nullptr);
   const auto arrays = exchange.TakeArrays(own);
   const auto* number = reinterpret_cast<const std::uint8_t*>(&steps);
   const auto numbers = exchange.Gather({ number, number + sizeof(steps) });

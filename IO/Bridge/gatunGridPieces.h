@@ -23,6 +23,8 @@
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
+class vtkDataArray;
+class vtkInformationIntegerKey;
 class vtkUnstructuredGrid;
 #ifdef VTK_ABI_NAMESPACE_END
 VTK_ABI_NAMESPACE_END
@@ -35,7 +37,7 @@ namespace gatun
  * for the survey, with all time steps of a piece one after the other.
  *
  * Ghost cells have been removed, and the marks of duplicate points are. Pieces without points and
- * cells are skipped. Points are joined by an array of numbers, if one is named, by the global ids
+ * cells are skipped. Points are joined by an array of numbers, if one is marked, by the global ids
  * of their piece, if it has any, or else by their coordinates. All pieces must have the same
  * arrays, in any order.
  *
@@ -47,11 +49,11 @@ namespace gatun
 class GridPieces
 {
 public:
-  /** select: the arrays of a piece to write. joinArray: the point array to join points by, which is
-   * not written; empty for none. */
+  /** select: the arrays of a piece to write. joinKey: marks the point array to join points by,
+   * which is not written. All pieces with points must have one, or none. */
   GridPieces(const std::string& path, const PartWriterOptions& options,
     std::function<std::vector<BridgedArray>(vtkUnstructuredGrid*)> select,
-    const std::string& joinArray = {});
+    vtkInformationIntegerKey* joinKey);
   ~GridPieces();
 
   /** Tells whether the pieces are those of a surface. To be called before the first one is
@@ -100,6 +102,7 @@ private:
   };
 
   Input MakeInput(vtkUnstructuredGrid* piece, std::size_t number) const;
+  vtkDataArray* FindMarked(vtkUnstructuredGrid* piece) const;
   std::vector<std::int64_t> FindIds(Input& input, std::size_t number) const;
   void SortArrays(Input& input, std::size_t number) const;
   void Open(const Input& input);
@@ -108,7 +111,7 @@ private:
   const std::string Path;
   PartWriterOptions Options;
   const std::function<std::vector<BridgedArray>(vtkUnstructuredGrid*)> Select;
-  const std::string JoinArray;
+  vtkInformationIntegerKey* const JoinKey;
   std::unique_ptr<PartWriter> File;
   bool WritesEmpty = false; // whether all pieces of all processes are empty, and this is the first
   std::vector<ArrayDescription> Arrays;

@@ -173,7 +173,7 @@ CornerTets::PlaceOf GetPlaces(ArrayT* points)
 }
 
 //------------------------------------------------------------------------------
-/** Throws that too many points need finer lattices, and tells an error that would do. */
+/** Throws that too many points need finer lattices, and suggests a tolerance that works. */
 template <typename ArrayT>
 [[noreturn]] void RefuseTurned(
   ArrayT* from, const CornerTets& tets, double error, bool isWhole, std::size_t turned)
@@ -185,7 +185,8 @@ template <typename ArrayT>
   to->SetNumberOfTuples(from->GetNumberOfTuples());
   const std::vector<std::uint8_t> coarse(points);
   std::ostringstream message;
-  message << "with this error of coordinates, cells turn over at " << turned << " corners, and ";
+  message << "with this tolerance of coordinates, cells turn over at " << turned
+          << " corners, and ";
   message << (isWhole ? "more than 1 % of the points would have to be finer"
                       : "points of several pieces cannot be finer than others");
   constexpr unsigned decades = 12;
@@ -198,11 +199,11 @@ template <typename ArrayT>
     tets.MarkTurned(GetPlaces(to.Get()), marks);
     if (CountFine(marks) <= most)
     {
-      message << "; an error of " << std::setprecision(2) << error << " would do";
+      message << "; a tolerance of " << std::setprecision(2) << error << " works";
       break;
     }
   }
-  ThrowInvalid(message.str() + (i == decades ? "; write them without an error" : ""));
+  ThrowInvalid(message.str() + (i == decades ? "; write them without a tolerance" : ""));
 }
 
 //------------------------------------------------------------------------------
@@ -234,7 +235,7 @@ double RoundUpright(
 //------------------------------------------------------------------------------
 template <typename ArrayT>
 vtkSmartPointer<vtkDataArray> RoundArray(
-  vtkUnstructuredGrid* grid, const PointRounding& rounding, double& largest)
+  vtkUnstructuredGrid* grid, const ErrorBound& bound, bool isWhole, double& largest)
 {
   vtkDataArray* const points = grid->GetPoints()->GetData();
   auto* from = ArrayT::FastDownCast(points);
@@ -245,9 +246,9 @@ vtkSmartPointer<vtkDataArray> RoundArray(
     from = copy;
   }
   const Box box(from);
-  const Lattice lattice = rounding.Bits > 0 ? MakeLattice(box, rounding.Bits)
-    : rounding.Error > 0                    ? MakeLattice(rounding.Error)
-                                            : MakeLattice(rounding.RelativeError * box.Side);
+  const Lattice lattice = bound.Kind == ErrorKind::Bits
+    ? MakeLattice(box, static_cast<int>(bound.Bound))
+    : MakeLattice(bound.Bound * (bound.Kind == ErrorKind::Relative ? box.Side : 1));
   if (!(lattice.Step > 0))
   {
     return nullptr;
@@ -255,48 +256,57 @@ vtkSmartPointer<vtkDataArray> RoundArray(
   auto to = vtkSmartPointer<ArrayT>::New();
   to->SetNumberOfComponents(3);
   to->SetNumberOfTuples(from->GetNumberOfTuples());
-  const double error = RoundUpright(grid, from, lattice, rounding.IsWhole, to.Get());
+  const double error = RoundUpright(grid, from, lattice, isWhole, to.Get());
   largest = std::max(largest, error);
   return error > 0 ? vtkSmartPointer<vtkDataArray>(to) : nullptr;
 }
 }
 
 //------------------------------------------------------------------------------
-void CheckRounding(const PointRounding& rounding)
+void CheckPointBound(const ErrorBound& bound)
 {
-  if (!(rounding.Error >= 0 && std::isfinite(rounding.Error)))
+  const double value = bound.Bound;
+  switch (bound.Kind)
   {
-    ThrowInvalid("the largest error of coordinates must be a finite number of 0 or more");
-  }
-  if (!(rounding.RelativeError >= 0 && rounding.RelativeError < 1))
-  {
-    ThrowInvalid(
-      "the largest error of coordinates, relative to the longest side of the bounding box, "
-      "must be a number from 0 to less than 1");
-  }
-  if (rounding.Bits < 0 || rounding.Bits > MostBits)
-  {
-    ThrowInvalid("coordinates must have from 1 to 31 bits, or 0 to keep them");
-  }
-  if ((rounding.Error > 0) + (rounding.RelativeError > 0) + (rounding.Bits > 0) > 1)
-  {
-    ThrowInvalid(
-      "coordinates can be rounded by an error, a relative error, or to a number of bits, "
-      "not by both");
+    case ErrorKind::None:
+      return;
+    case ErrorKind::Absolute:
+      if (!(value > 0 && std::isfinite(value)))
+      {
+        ThrowInvalid("the tolerance of coordinates must be a finite number above 0");
+      }
+      return;
+    case ErrorKind::Relative:
+      if (!(value > 0 && value < 1))
+      {
+        ThrowInvalid("the tolerance of coordinates, relative to the longest side of the bounding "
+                     "box, must be a number above 0 and below 1");
+      }
+      return;
+    case ErrorKind::Bits:
+      if (!(value >= 1 && value <= MostBits && value == std::floor(value)))
+      {
+        ThrowInvalid("coordinates must have a whole number of bits from 1 to 31");
+      }
+      return;
+    default:
+      ThrowInvalid("the tolerance of coordinates must be absolute, relative to the longest side of "
+                   "the bounding box, or a number of bits");
   }
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> RoundPoints(
-  vtkUnstructuredGrid* grid, const PointRounding& rounding, double& largest)
+  vtkUnstructuredGrid* grid, const ErrorBound& bound, bool isWhole, double& largest)
 {
   const int type = grid->GetNumberOfPoints() > 0 ? grid->GetPoints()->GetDataType() : VTK_VOID;
-  if (rounding.IsExact() || (type != VTK_FLOAT && type != VTK_DOUBLE))
+  if (!bound || (type != VTK_FLOAT && type != VTK_DOUBLE))
   {
     return grid;
   }
-  const auto rounded = type == VTK_FLOAT ? RoundArray<vtkFloatArray>(grid, rounding, largest)
-                                         : RoundArray<vtkDoubleArray>(grid, rounding, largest);
+  const auto rounded = type == VTK_FLOAT
+    ? RoundArray<vtkFloatArray>(grid, bound, isWhole, largest)
+    : RoundArray<vtkDoubleArray>(grid, bound, isWhole, largest);
   if (!rounded)
   {
     return grid;

@@ -14,22 +14,20 @@ namespace gatun
 //------------------------------------------------------------------------------
 SimplifyTarget SimplifyProperties::GetTarget() const
 {
-  switch (this->Target)
+  if (this->RMSError != 0) // NaN is an error
   {
-    case SimplifyTarget::Ratio:
-      return { SimplifyTarget::Ratio, this->Ratio };
-    case SimplifyTarget::NumberOfPoints:
-      return { SimplifyTarget::NumberOfPoints, static_cast<double>(this->NumberOfPoints) };
-    default:
-      return { SimplifyTarget::RMSError, this->RMSError };
+    return { SimplifyTarget::RMSError, this->RMSError };
   }
+  if (this->NumberOfPoints != 0)
+  {
+    return { SimplifyTarget::NumberOfPoints, static_cast<double>(this->NumberOfPoints) };
+  }
+  return { SimplifyTarget::Ratio, this->Ratio };
 }
 
 //------------------------------------------------------------------------------
 void SimplifyProperties::Print(ostream& os, vtkIndent indent) const
 {
-  const char* const names[] = { "Ratio", "NumberOfPoints", "RMSError" };
-  os << indent << "SimplificationTarget: " << names[this->Target] << "\n";
   os << indent << "SimplificationRatio: " << this->Ratio << "\n";
   os << indent << "SimplificationNumberOfPoints: " << this->NumberOfPoints << "\n";
   os << indent << "SimplificationRMSError: " << this->RMSError << "\n";

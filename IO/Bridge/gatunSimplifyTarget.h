@@ -21,25 +21,24 @@ class MergeTree;
 /** A simplification target. */
 struct SimplifyTarget
 {
-  /** The numbers are those of SimplificationTargetType of vtkGatunReader and vtkGatunSimplify. */
   enum KindType
   {
-    Ratio = 0,
-    NumberOfPoints = 1,
-    RMSError = 2
+    Ratio,
+    NumberOfPoints,
+    RMSError
   };
 
-  int Kind = Ratio;
+  KindType Kind = Ratio;
   double Value = 0; ///< of this kind
 
   /** Whether the target is the whole mesh. */
   bool IsWholeMesh() const { return this->Kind == Ratio && this->Value == 0; }
 };
 
-/** The simplification properties of vtkGatunReader and vtkGatunSimplify. */
+/** The simplification properties of vtkGatunReader and vtkGatunSimplify. The target is the error
+ * unless that is 0, then the number of points unless that is 0, then the ratio. */
 struct VTKGATUNIO_EXPORT SimplifyProperties
 {
-  int Target;
   double Ratio;
   vtkIdType NumberOfPoints;
   double RMSError;

@@ -19,14 +19,10 @@ namespace
 {
 
 //------------------------------------------------------------------------------
-bool IsEnabled(vtkAbstractArray* array, vtkDataArraySelection* selection, bool unlisted)
+bool IsEnabled(vtkAbstractArray* array, vtkDataArraySelection* selection)
 {
   const char* name = array->GetName();
-  if (!name || !*name)
-  {
-    return true;
-  }
-  return selection->ArrayExists(name) ? selection->ArrayIsEnabled(name) != 0 : unlisted;
+  return !name || !*name || selection->ArrayIsEnabled(name) != 0;
 }
 
 } // anonymous namespace
@@ -35,8 +31,8 @@ namespace gatun
 {
 
 //------------------------------------------------------------------------------
-std::vector<BridgedArray> BridgeSelected(vtkUnstructuredGrid* grid,
-  vtkDataArraySelection* pointArrays, vtkDataArraySelection* cellArrays, bool unlisted)
+std::vector<BridgedArray> BridgeSelected(
+  vtkUnstructuredGrid* grid, vtkDataArraySelection* pointArrays, vtkDataArraySelection* cellArrays)
 {
   std::vector<BridgedArray> arrays;
   const auto add =
@@ -45,7 +41,7 @@ std::vector<BridgedArray> BridgeSelected(vtkUnstructuredGrid* grid,
     for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* array = attributes->GetAbstractArray(i);
-      if (IsEnabled(array, selection, unlisted))
+      if (IsEnabled(array, selection))
       {
         arrays.push_back(Bridge(array, where));
         arrays.back().Description.AttributeRoles = AttributeRolesOf(attributes, array);

@@ -23,12 +23,9 @@ VTK_ABI_NAMESPACE_END
 
 namespace gatun
 {
-/**
- * The point and cell arrays that selections enable. unlisted: whether to include arrays that the
- * selections do not list. Arrays without a name are always included.
- */
-std::vector<BridgedArray> BridgeSelected(vtkUnstructuredGrid* grid,
-  vtkDataArraySelection* pointArrays, vtkDataArraySelection* cellArrays, bool unlisted);
+/** The point and cell arrays that selections enable. Arrays without a name are always included. */
+std::vector<BridgedArray> BridgeSelected(
+  vtkUnstructuredGrid* grid, vtkDataArraySelection* pointArrays, vtkDataArraySelection* cellArrays);
 
 /**
  * The request for layers of a point array. component: -1 for the length of the tuple. Throws

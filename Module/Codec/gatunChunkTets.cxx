@@ -7,12 +7,12 @@
 
 namespace gatun
 {
-ChunkTets SplitCells(const ChunkMesh& mesh)
+ChunkSize SplitCells(const ChunkMesh& mesh)
 {
   const auto places = mesh.GetPlaces();
   using Order = PointOrder<double>;
   CellSplitter<Vertex, Order> splitter(Order(places.empty() ? nullptr : places.front().data()));
-  ChunkTets result;
+  ChunkSize result;
   const CellList& cells = mesh.Cells;
   for (std::uint32_t cell = 0; cell < cells.GetNumber(); ++cell)
   {

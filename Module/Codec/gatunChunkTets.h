@@ -13,14 +13,14 @@
 namespace gatun
 {
 /** Tetrahedra of cells, and the cell of each. */
-struct ChunkTets
+struct ChunkSize
 {
   std::vector<std::array<Vertex, 4>> Tets;
   std::vector<std::uint32_t> Cells;
 };
 
 /** Splits the cells of a chunk of other cells than tetrahedra: see CellSplitter. */
-ChunkTets SplitCells(const ChunkMesh& mesh);
+ChunkSize SplitCells(const ChunkMesh& mesh);
 }
 
 #endif

@@ -15,12 +15,17 @@
 
 namespace gatun
 {
+namespace
+{
+constexpr std::string_view KeepsZeros = ",zeros";
+}
+
 //------------------------------------------------------------------------------
 void CheckError(const ArrayError& error)
 {
   const auto& bound = error.Bound;
   const auto fail = [&](const std::string& what)
-  { ThrowInvalid("the error of array '" + error.Array + "' " + what); };
+  { ThrowInvalid("the tolerance of array '" + error.Array + "' " + what); };
   if (bound.Kind < ErrorKind::Absolute || bound.Kind > ErrorKind::Bits)
   {
     fail("is of an unknown kind");
@@ -44,7 +49,7 @@ void CheckError(const ArrayError& error)
 }
 
 //------------------------------------------------------------------------------
-ArrayError ParseError(const std::string& text, bool keepZeros)
+std::optional<ErrorBound> ParseBound(std::string_view text)
 {
   struct Kind
   {
@@ -54,27 +59,38 @@ ArrayError ParseError(const std::string& text, bool keepZeros)
   constexpr std::array kinds{ Kind{ "abs:", ErrorKind::Absolute },
     Kind{ "rel:", ErrorKind::Relative }, Kind{ "pw:", ErrorKind::Pointwise },
     Kind{ "bits:", ErrorKind::Bits } };
-  // Names of arrays may have equal signs.
-  const auto sign = text.rfind('=');
-  const std::string_view bound =
-    sign == std::string::npos ? std::string_view() : std::string_view(text).substr(sign + 1);
-  const auto kind = std::find_if(
-    kinds.begin(), kinds.end(), [&](const Kind& k) { return bound.starts_with(k.Name); });
-  double number = 0;
-  if (kind != kinds.end())
+  ErrorBound bound;
+  bound.KeepZeros = text.ends_with(KeepsZeros);
+  text.remove_suffix(bound.KeepZeros ? KeepsZeros.size() : 0);
+  const auto* const kind = std::find_if(
+    kinds.begin(), kinds.end(), [&](const Kind& k) { return text.starts_with(k.Name); });
+  if (kind == kinds.end())
   {
-    const auto digits = bound.substr(kind->Name.size());
-    const auto* const end = digits.data() + digits.size();
-    const auto [stop, code] = std::from_chars(digits.data(), end, number);
-    if (code == std::errc() && stop == end)
+    return std::nullopt;
+  }
+  bound.Kind = kind->Value;
+  const auto digits = text.substr(kind->Name.size());
+  const auto* const end = digits.data() + digits.size();
+  const auto [stop, code] = std::from_chars(digits.data(), end, bound.Bound);
+  return code == std::errc() && stop == end ? std::optional(bound) : std::nullopt;
+}
+
+//------------------------------------------------------------------------------
+ArrayError ParseError(const std::string& text)
+{
+  const auto sign = text.rfind('='); // names of arrays may have equal signs
+  if (sign != std::string::npos)
+  {
+    if (const auto bound = ParseBound(std::string_view(text).substr(sign + 1)))
     {
-      ArrayError error{ text.substr(0, sign), { kind->Value, number, keepZeros } };
+      ArrayError error{ text.substr(0, sign), *bound };
       CheckError(error);
       return error;
     }
   }
-  ThrowInvalid("the error '" + text +
-    "' is not NAME=abs:E, NAME=rel:E, NAME=pw:E or NAME=bits:N with a number E or N");
+  ThrowInvalid("the tolerance '" + text +
+    "' is not NAME=abs:E, NAME=rel:E, NAME=pw:E or NAME=bits:N with a number E or N, and ',zeros' "
+    "behind it or not");
 }
 
 //------------------------------------------------------------------------------
@@ -85,6 +101,6 @@ std::string ToString(const ErrorBound& bound)
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), bound.Bound).ptr;
   return names.at(static_cast<std::size_t>(bound.Kind)) +
     (bound ? std::string(digits.data(), end) : std::string()) +
-    (bound && bound.KeepZeros ? ", zeros kept" : "");
+    (bound && bound.KeepZeros ? std::string(KeepsZeros) : std::string());
 }
 }

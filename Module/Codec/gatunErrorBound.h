@@ -7,7 +7,9 @@
 #include "gatunExport.h" // For export macro
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gatun
@@ -45,11 +47,15 @@ struct ArrayError
  * 1, for pointwise ones below 1; bits from 1 to 52. */
 GATUN_EXPORT void CheckError(const ArrayError& error);
 
-/** The error in a text "NAME=abs:E", "NAME=rel:E", "NAME=pw:E" or "NAME=bits:N". Throws
- * Error(InvalidInput) if it is another text, or the number is not in its range. */
-GATUN_EXPORT ArrayError ParseError(const std::string& text, bool keepZeros);
+/** The bound in a text "abs:E", "rel:E", "pw:E" or "bits:N", with ",zeros" at its end if values of
+ * 0 stay 0. Nothing if it is another text. */
+GATUN_EXPORT std::optional<ErrorBound> ParseBound(std::string_view text);
 
-/** The text of a bound without a name. */
+/** The bound in a text "NAME=BOUND". Throws Error(InvalidInput) if it is another text, or the
+ * number is not in its range. */
+GATUN_EXPORT ArrayError ParseError(const std::string& text);
+
+/** The text of a bound, as ParseBound has it; "exact" if there is none. */
 GATUN_EXPORT std::string ToString(const ErrorBound& bound);
 }
 

@@ -67,17 +67,17 @@ std::string GetDescriptorName(const FileHandle& handle)
 }
 
 //------------------------------------------------------------------------------
-AtomicFile::AtomicFile(const std::string& path, bool replaceReadOnly)
-  : AtomicFile(path, replaceReadOnly, Naming::AtCommit)
+AtomicFile::AtomicFile(const std::string& path)
+  : AtomicFile(path, Naming::AtCommit)
 {
 }
 
 //------------------------------------------------------------------------------
-AtomicFile::AtomicFile(const std::string& path, bool replaceReadOnly, Naming naming)
+AtomicFile::AtomicFile(const std::string& path, Naming naming)
   : Path(path)
   , Target(path)
 {
-  this->CheckTarget(replaceReadOnly);
+  this->CheckTarget();
   this->Create(naming);
 }
 
@@ -90,9 +90,9 @@ AtomicFile::AtomicFile(const std::string& path, const std::string& target)
 }
 
 //------------------------------------------------------------------------------
-AtomicFile AtomicFile::MakeCommon(const std::string& path, bool replaceReadOnly)
+AtomicFile AtomicFile::MakeCommon(const std::string& path)
 {
-  return { path, replaceReadOnly, Naming::Always };
+  return { path, Naming::Always };
 }
 
 //------------------------------------------------------------------------------
@@ -124,7 +124,7 @@ void AtomicFile::Fail(int systemError) const
 }
 
 //------------------------------------------------------------------------------
-void AtomicFile::CheckTarget(bool replaceReadOnly)
+void AtomicFile::CheckTarget()
 {
   struct stat status
   {
@@ -141,18 +141,15 @@ void AtomicFile::CheckTarget(bool replaceReadOnly)
   {
     refuse(S_ISDIR(status.st_mode) ? "is a directory" : "is not a regular file");
   }
-  if (!replaceReadOnly)
+  // Root could write a read-only file, but the mark is respected.
+  if ((status.st_mode & 0222) == 0)
   {
-    // Root could write a read-only file, but the mark is respected.
-    if ((status.st_mode & 0222) == 0)
-    {
-      refuse("is read-only");
-    }
-    FileHandle probe;
-    if (const int error = probe.Open(this->Path, O_WRONLY))
-    {
-      this->Fail(error);
-    }
+    refuse("is read-only");
+  }
+  FileHandle probe;
+  if (const int error = probe.Open(this->Path, O_WRONLY))
+  {
+    this->Fail(error);
   }
   this->Permissions = status.st_mode & 07777;
   if (char* real = ::realpath(this->Path.c_str(), nullptr))

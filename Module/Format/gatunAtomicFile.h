@@ -25,17 +25,17 @@ namespace gatun
  * target is replaced in two steps, a link to "<target>.part-XXXXXX" and a rename. A process that is
  * killed in between leaves that name behind, but the file is complete.
  *
- * Symbolic links are followed. A file that is replaced passes on its permissions; the permissions
+ * Symbolic links are followed. A file that this user may not write is not replaced. A file that is
+ * replaced passes on its permissions; the permissions
  * of a new file follow the umask. Methods throw Error(CannotWrite). Exported for the gtn program.
  */
 class GATUN_EXPORT AtomicFile
 {
 public:
-  /** replaceReadOnly: whether to replace an existing file that this user may not write. */
-  AtomicFile(const std::string& path, bool replaceReadOnly);
+  explicit AtomicFile(const std::string& path);
 
   /** A file that other processes write, too: the temporary file always has a name. */
-  static AtomicFile MakeCommon(const std::string& path, bool replaceReadOnly);
+  static AtomicFile MakeCommon(const std::string& path);
 
   /** A scratch file in the folder of another one. It has no name and cannot be committed. */
   static AtomicFile MakeScratch(const AtomicFile& neighbor);
@@ -83,9 +83,9 @@ private:
   };
 
   AtomicFile(const std::string& path, const std::string& target);
-  AtomicFile(const std::string& path, bool replaceReadOnly, Naming naming);
+  AtomicFile(const std::string& path, Naming naming);
 
-  void CheckTarget(bool replaceReadOnly);
+  void CheckTarget();
   void Create(Naming naming);
   int CreateUnnamed(::mode_t mode);
   int CreateNamed(::mode_t mode);

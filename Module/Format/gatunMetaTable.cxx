@@ -37,7 +37,7 @@ Bytes MetaTable::Write() const
   out.Put(static_cast<std::uint8_t>(
     (this->HasTime ? FlagTime : 0) | (this->PointsMove ? FlagMotion : 0)));
   out.Put(this->Keep);
-  out.PutVarint(this->ChunkTets);
+  out.PutVarint(this->ChunkSize);
   out.PutVarint(this->KeyStepInterval);
   for (const auto& range : this->Box)
   {
@@ -65,7 +65,7 @@ MetaTable MetaTable::Read(std::span<const std::uint8_t> bytes)
   Check(!meta.PointsMove || (time & FlagTime) != 0, "points move in a file that has no time");
   meta.Keep = in.Get<std::uint8_t>();
   Check(meta.Keep <= KeepAll, "the kept order is unknown");
-  meta.ChunkTets = GetSmall(in);
+  meta.ChunkSize = GetSmall(in);
   meta.KeyStepInterval = GetSmall(in);
   for (auto& range : meta.Box)
   {

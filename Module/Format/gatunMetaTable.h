@@ -29,7 +29,7 @@ struct MetaTable
   bool HasTime = false;
   bool PointsMove = false;
   std::uint8_t Keep = KeepNone;
-  std::uint32_t ChunkTets = 0;
+  std::uint32_t ChunkSize = 0;
   std::uint32_t KeyStepInterval = 1;
   Bounds Box;
 

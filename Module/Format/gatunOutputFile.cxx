@@ -29,9 +29,9 @@ void ReadInParts(const AtomicFile& file, std::uint64_t begin, std::uint64_t leng
 }
 
 //------------------------------------------------------------------------------
-OutputFile::OutputFile(const std::string& path, bool replaceReadOnly, const ContainerKind& kind)
+OutputFile::OutputFile(const std::string& path, const ContainerKind& kind)
   : Kind(kind)
-  , Data(path, replaceReadOnly)
+  , Data(path)
   , Header(MakeHeader(kind))
 {
 }
@@ -53,9 +53,9 @@ OutputFile::OutputFile(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-OutputFile::OutputFile(Common, const std::string& path, bool replaceReadOnly)
+OutputFile::OutputFile(Common, const std::string& path)
   : Kind(MeshContainer)
-  , Data(AtomicFile::MakeCommon(path, replaceReadOnly))
+  , Data(AtomicFile::MakeCommon(path))
   , Header(MakeHeader(MeshContainer))
 {
 }

@@ -23,9 +23,7 @@ namespace gatun
 class OutputFile
 {
 public:
-  /** replaceReadOnly: whether to replace an existing file that this user may not write. */
-  OutputFile(
-    const std::string& path, bool replaceReadOnly, const ContainerKind& kind = MeshContainer);
+  OutputFile(const std::string& path, const ContainerKind& kind);
 
   /** Tells a constructor that the file will be embedded in another one as a section. */
   struct Embedded
@@ -45,7 +43,7 @@ public:
   };
 
   /** The file that such processes write together. Its temporary file has a name. */
-  OutputFile(Common, const std::string& path, bool replaceReadOnly);
+  OutputFile(Common, const std::string& path);
 
   /** Appends a section. Returns the offset of its payload. */
   std::uint64_t AddSection(

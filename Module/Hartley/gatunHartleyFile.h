@@ -19,7 +19,6 @@ struct HartleyWriterOptions
 {
   std::uint32_t BlockSize = 8; ///< HartleyLayout::Make
   HartleyRateControl RateControl;
-  bool ReplaceReadOnly = false; ///< as in WriterOptions
 };
 
 /** Statistics of a written file. */

@@ -77,7 +77,7 @@ HartleyWritten WriteHartleyFile(const std::string& path, const VolumeInput& volu
   };
   CheckPlace(volume);
   // Opened first, so that an error is found before the volume is encoded.
-  OutputFile file(path, options.ReplaceReadOnly, VolumeContainer);
+  OutputFile file(path, VolumeContainer);
   const HartleyEncoder encoder(
     volume, options.BlockSize, options.RateControl, getPart(0, PartOfEncoder));
   HartleyMeta meta;

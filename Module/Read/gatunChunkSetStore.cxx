@@ -160,7 +160,7 @@ void ChunkSetDecoder::StoreChunk(Job& job, std::size_t i, const ChunkMesh& mesh)
   this->StorePoints(job, i, mesh, points.get(), pointPlaces);
 
   // Several tetrahedra may have the values of one cell.
-  ChunkTets split;
+  ChunkSize split;
   const bool isSplit = this->Set.GetForm() == PieceForm::Tetrahedra && !info.IsTetrahedral;
   if (isSplit)
   {

@@ -312,7 +312,7 @@ CellList PartDecoder::GetCells(
 }
 
 //------------------------------------------------------------------------------
-ChunkTets PartDecoder::SplitCells(std::uint32_t chunk, const ChunkMesh& mesh) const
+ChunkSize PartDecoder::SplitCells(std::uint32_t chunk, const ChunkMesh& mesh) const
 {
   const auto& content = this->Content();
   const auto held = content.GetTables().GetChunk(chunk);

@@ -83,7 +83,7 @@ public:
 
   /** The tetrahedra of a chunk of other cells. Not kept, because they need more memory than cells.
    */
-  ChunkTets SplitCells(std::uint32_t chunk, const ChunkMesh& mesh) const;
+  ChunkSize SplitCells(std::uint32_t chunk, const ChunkMesh& mesh) const;
 
   /** The array at the latest step in the cache from first to step. */
   ArrayAtStep FindBlockArray(

@@ -267,7 +267,7 @@ SurfacePart ChunkSurface::Make(std::uint32_t chunk, const SurfaceOptions& option
   const auto mesh = this->GetMesh(chunk);
   // Several tetrahedra may have the values of one cell.
   const bool isSplit = !this->Parts.GetFile()->GetChunks()[chunk].IsTetrahedral;
-  const auto split = isSplit ? this->Parts.SplitCells(chunk, *mesh) : ChunkTets();
+  const auto split = isSplit ? this->Parts.SplitCells(chunk, *mesh) : ChunkSize();
   const RemainingTets remaining(
     this->Parts, chunk, isSplit ? split.Tets : mesh->Walk.Tets, isSplit ? &split.Cells : nullptr);
   const auto& tets = remaining.GetTets();

@@ -111,7 +111,7 @@ void PartAgreement::PutSurvey(
 {
   MetaTable settings = this->State.Meta; // arrays and options
   settings.Points = settings.UnusedPoints = 0;
-  settings.ChunkTets = 0;
+  settings.ChunkSize = 0;
   settings.CoordinateType = {};
   settings.WideIds = false;
   PutSized(out, settings.Write());
@@ -128,7 +128,7 @@ void PartAgreement::PutSurvey(
   out.Put(static_cast<std::uint8_t>(meta.CoordinateType));
   out.Put<std::uint8_t>(meta.WideIds);
   out.Put<std::uint8_t>(this->State.HasCells);
-  out.Put(meta.ChunkTets);
+  out.Put(meta.ChunkSize);
   out.PutVarint(meta.Points);
   out.PutVarint(meta.UnusedPoints);
   out.PutVarint(this->State.NumberOfCells);
@@ -201,7 +201,7 @@ void PartAgreement::AgreeOnParts(
     }
     meta.WideIds = (in.Get<std::uint8_t>() != 0) || meta.WideIds;
     state.HasCells = (in.Get<std::uint8_t>() != 0) || state.HasCells;
-    meta.ChunkTets = std::max(meta.ChunkTets, in.Get<std::uint32_t>());
+    meta.ChunkSize = std::max(meta.ChunkSize, in.Get<std::uint32_t>());
     meta.Points += in.GetVarint();
     meta.UnusedPoints += in.GetVarint();
     state.NumberOfCells += in.GetVarint();

@@ -45,8 +45,7 @@ public:
   enum class Candidates
   {
     Boundary, ///< see FindPartBoundary
-    All,
-    WithIds ///< those with a global id of 0 and more
+    WithIds   ///< those with a global id of 0 and more
   };
 
   /** part: with its layout. number: that of the part. globalIds: null if coordinates decide. */

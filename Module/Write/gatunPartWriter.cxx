@@ -27,10 +27,11 @@ namespace gatun
 {
 namespace
 {
-std::string GetSpillFolder(const std::string& path, const std::string& folder)
+/** The folder of temporary files: that of the file. */
+std::string GetSpillFolder(const std::string& path)
 {
   const auto parent = std::filesystem::path(path).parent_path().string();
-  return !folder.empty() ? folder : !parent.empty() ? parent : ".";
+  return parent.empty() ? "." : parent;
 }
 
 void CheckOptions(const WriterOptions& options)
@@ -54,23 +55,22 @@ public:
     const PartWriterOptions& options)
     : Options(options)
     , State(path, arrays, options.File)
-    , Boundaries(GetSpillFolder(path, options.SpillFolder), options.SpillMemory)
+    , Boundaries(GetSpillFolder(path), options.SpillMemory)
   {
   }
 
   Internals(const std::string& path, const std::vector<ArrayDescription>& arrays,
     const PartWriterOptions& options, PartExchange& exchange)
     : Options(options)
-    , State(arrays, options.File, GetSpillFolder(path, options.SpillFolder))
-    , Boundaries(GetSpillFolder(path, options.SpillFolder), options.SpillMemory)
+    , State(arrays, options.File, GetSpillFolder(path))
+    , Boundaries(GetSpillFolder(path), options.SpillMemory)
     , Exchange(&exchange)
   {
     if (exchange.GetProcess() == 0)
     {
-      this->Common.emplace(OutputFile::Common(), path, options.File.ReplaceReadOnly);
+      this->Common.emplace(OutputFile::Common(), path);
     }
-    this->Agreement.emplace(
-      exchange, this->State, GetSpillFolder(path, options.SpillFolder), options.SpillMemory);
+    this->Agreement.emplace(exchange, this->State, GetSpillFolder(path), options.SpillMemory);
     this->Steps.KeepTables();
   }
 
@@ -167,9 +167,7 @@ void PartWriter::Internals::Survey(
   }
   using Candidates = PartSurvey::Candidates;
   this->Current.emplace(part, static_cast<std::uint32_t>(this->Parts.size()), globalIds,
-    this->Options.JoinByIdsOnly     ? Candidates::WithIds
-      : this->Options.JoinAllPoints ? Candidates::All
-                                    : Candidates::Boundary);
+    this->Options.JoinByIdsOnly ? Candidates::WithIds : Candidates::Boundary);
   this->Parts.push_back(
     { part.Layout.GetChunkCount(), mesh.Points, mesh.Cells, HashPart(mesh, globalIds), {} });
 }

@@ -28,17 +28,9 @@ struct PartWriterOptions
   /** Those of the file. Hierarchies and layers need the whole mesh and are refused. */
   WriterOptions File;
 
-  /** The folder of temporary files. Empty: the folder of the file that is written. */
-  std::string SpillFolder;
-
   /** The number of bytes of points on the boundaries of parts that are kept in memory; further ones
-   * are in temporary files. */
+   * are in temporary files in the folder of the file. */
   std::size_t SpillMemory = std::size_t{ 64 } << 20;
-
-  /** Whether to look for all points in other parts, in place of those on the boundary of a part.
-   * Finds also the points inside a part that lines and surfaces of other parts have, and takes as
-   * much more space on the disk. */
-  bool JoinAllPoints = false;
 
   /** Whether the global ids tell which points are in several parts: those with ids of 0 and more.
    * They are compared wherever they are, and those with negative ids are not compared. */
@@ -79,7 +71,7 @@ struct PartStatistics
  * coordinates, and the same values of all point arrays at all steps. Points with different values
  * are kept apart, as are 0 and -0; coordinates that are not numbers are not compared. Points of one
  * part are never joined. Only points on the boundary of a part are compared, see
- * PartWriterOptions::JoinAllPoints and JoinByIdsOnly. Cells that are in several parts are written
+ * PartWriterOptions::JoinByIdsOnly. Cells that are in several parts are written
  * several times.
  *
  * Original numbers (WriterOptions::Keep) count through the parts. A point of several parts has the
@@ -106,7 +98,7 @@ struct PartStatistics
  * The bytes are those that one process writes. Between processes go the points on the boundaries of
  * parts, those that no cell uses with their values, and tables: some 300 bytes and 50 bytes for
  * each array and time step a chunk to the first process, and 300 bytes a chunk, the groups of
- * shared points, to each one. Each process writes into a temporary file in the spill folder, then
+ * shared points, to each one. Each process writes into a temporary file beside the file, then
  * copies it to its place in the file, which has a temporary name until it is complete. Memory: as
  * above, with the chunks of the whole file; three times the SpillMemory; and in the first process
  * twice the tables of all.

@@ -86,10 +86,10 @@ void CheckWriterInput(
   {
     ThrowInvalid("the faces of the polyhedra are missing");
   }
-  if (options.ChunkTets != 0 && (options.ChunkTets < 64 || options.ChunkTets > MaxChunkTets))
+  if (options.ChunkSize != 0 && (options.ChunkSize < 64 || options.ChunkSize > MaxChunkTets))
   {
     ThrowInvalid("a chunk must have from 64 to " + std::to_string(MaxChunkTets) +
-      " tetrahedra, not " + std::to_string(options.ChunkTets));
+      " tetrahedra, not " + std::to_string(options.ChunkSize));
   }
   if (options.KeyStepInterval < 1)
   {

@@ -23,10 +23,10 @@ struct WriterOptions
   /** The maximum number of tetrahedra in a chunk, 64 to 1048576. 0 is 65536, or 131072 for meshes
    * of more than one million tetrahedra and 262144 for more than 10 million; with layers, a quarter
    * of that. */
-  std::uint32_t ChunkTets = 0;
+  std::uint32_t ChunkSize = 0;
 
   /** The number of parts that the mesh is expected to have, of about the same size. Without
-   * ChunkTets, chunks are as large as suits all of them together. */
+   * ChunkSize, chunks are as large as suits all of them together. */
   std::uint32_t Parts = 1;
 
   /** The interval of time steps that are coded independently of their predecessor, 1 or more. */
@@ -35,9 +35,6 @@ struct WriterOptions
   /** Whether each time step has coordinates of its own (FileWriter::WriteStep). The cells stay the
    * same. Not possible for a mesh that comes in parts. */
   bool PointsMove = false;
-
-  /** Whether to replace an existing read-only file, which is an error otherwise. */
-  bool ReplaceReadOnly = false;
 
   /** Whether the mesh is a surface (vtkPolyData): vertices, lines, polygons and triangle strips, in
    * this order. Layers are not possible. A tree of merges is one of its triangles. */

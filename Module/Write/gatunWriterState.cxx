@@ -17,7 +17,7 @@ namespace gatun
 WriterState::WriterState(const std::string& path, const std::vector<ArrayDescription>& arrays,
   const WriterOptions& options)
   : Options(options)
-  , File(path, options.ReplaceReadOnly)
+  , File(path, MeshContainer)
 {
   this->DescribeArrays(arrays);
 }
@@ -56,23 +56,23 @@ void WriterState::DescribeArrays(const std::vector<ArrayDescription>& arrays)
 void WriterState::Describe(const MeshAccess& part)
 {
   const MeshInput& mesh = part.GetMesh();
-  if (this->Meta.ChunkTets != 0 && mesh.CoordinateType != this->Meta.CoordinateType)
+  if (this->Meta.ChunkSize != 0 && mesh.CoordinateType != this->Meta.CoordinateType)
   {
     ThrowInvalid("parts have coordinates of different types");
   }
   this->Meta.CoordinateType = mesh.CoordinateType;
   this->Meta.WideIds = this->Meta.WideIds || mesh.WideIds;
   this->Meta.Points += mesh.Points;
-  this->Meta.ChunkTets = std::max(this->Meta.ChunkTets, this->GetChunkTets(part));
+  this->Meta.ChunkSize = std::max(this->Meta.ChunkSize, this->GetChunkSize(part));
   this->HasCells = this->HasCells || !part.IsTetrahedral();
   this->NumberOfCells += mesh.Cells;
 }
 
 //------------------------------------------------------------------------------
-std::uint32_t WriterState::GetChunkTets(const MeshAccess& part) const
+std::uint32_t WriterState::GetChunkSize(const MeshAccess& part) const
 {
-  return this->Options.ChunkTets != 0
-    ? this->Options.ChunkTets
+  return this->Options.ChunkSize != 0
+    ? this->Options.ChunkSize
     : GetDefaultChunkTets(part.EstimateTets() * std::uint64_t{ this->Options.Parts },
         this->Options.Layers.has_value());
 }

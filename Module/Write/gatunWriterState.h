@@ -94,7 +94,7 @@ public:
   void Describe(const MeshAccess& part);
 
   /** The maximum number of tetrahedra in the chunks of a part. */
-  std::uint32_t GetChunkTets(const MeshAccess& part) const;
+  std::uint32_t GetChunkSize(const MeshAccess& part) const;
 
   /** Makes the blocks of shared points when the groups of all parts are known. */
   void LinkGroups();

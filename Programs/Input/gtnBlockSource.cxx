@@ -14,6 +14,7 @@
 #include "gatunCellInput.h"
 #include "gatunError.h"
 #include "vtkGatunMergeBlocks.h"
+#include "vtkGatunWriter.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
@@ -221,6 +222,7 @@ void AddJoinArray(vtkUnstructuredGrid* grid, bool hasGlobalIds)
     numbers->DeepCopy(ids);
   }
   numbers->SetName(JoinArrayName);
+  numbers->GetInformation()->Set(vtkGatunWriter::JOIN_POINTS(), 1);
   grid->GetPointData()->AddArray(numbers);
 }
 

@@ -60,9 +60,6 @@ public:
   void Spool(SpoolSettings settings, Progress& progress);
   bool IsSpooled() const { return this->Spooled != nullptr; }
 
-  /** Whether points of pieces are joined by their array JoinArrayName. */
-  bool HasJoinArray() const { return this->Spooled || this->HasBlocks; }
-
   /** Returns the number of pieces, or else of files of each step. Throws Failure if the steps
    * differ in it. */
   std::size_t GetNumberOfParts() const;

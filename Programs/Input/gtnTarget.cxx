@@ -15,21 +15,10 @@ namespace gtn
 template <class Algorithm>
 void TargetOptions::ApplyTo(Algorithm* algorithm) const
 {
-  if (this->Points)
-  {
-    algorithm->SetSimplificationTargetToNumberOfPoints();
-    algorithm->SetSimplificationNumberOfPoints(static_cast<vtkIdType>(*this->Points));
-  }
-  else if (this->RMSError)
-  {
-    algorithm->SetSimplificationTargetToRMSError();
-    algorithm->SetSimplificationRMSError(*this->RMSError);
-  }
-  else
-  {
-    algorithm->SetSimplificationTargetToRatio();
-    algorithm->SetSimplificationRatio(this->Ratio.value_or(0.5));
-  }
+  const bool isLeast = this->Points && *this->Points == 0; // as few points as possible
+  algorithm->SetSimplificationRatio(isLeast ? 1 : this->Ratio.value_or(0.5));
+  algorithm->SetSimplificationNumberOfPoints(static_cast<vtkIdType>(this->Points.value_or(0)));
+  algorithm->SetSimplificationRMSError(this->RMSError.value_or(0));
 }
 
 //------------------------------------------------------------------------------
@@ -59,9 +48,9 @@ std::array<CLI::Option*, 3> AddTarget(
       ->option_text("N"),
     command
       ->add_option("--rms-error", options.RMSError,
-        "Maximum root mean square error, 0 or more: an estimate for the values, relative to their "
+        "Maximum root mean square error, above 0: an estimate for the values, relative to their "
         "range, and for the shape")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::PositiveNumber)
       ->option_text("E") };
   for (std::size_t i = 0; i < targets.size(); ++i)
   {

@@ -5,6 +5,8 @@
 
 #include "gtnFailure.h"
 
+#include "vtkGatunSimplify.h"
+
 #include <CLI/CLI.hpp>
 
 #include <cstdlib>
@@ -37,41 +39,51 @@ std::map<std::string, double> MergeOptions::GetWeights() const
 }
 
 //------------------------------------------------------------------------------
-std::vector<CLI::Option*> AddMergeOptions(CLI::App* command, MergeOptions& options)
+void MergeOptions::Apply(vtkGatunSimplify* filter) const
 {
-  const auto given = [&options](const std::string&) { options.AreGiven = true; };
-  return {
-    command
-      ->add_option("--weight", options.Weights,
-        "Point array whose error is minimized, and its weight relative to other arrays, 0 or more "
-        "(default: the active scalars, or else all arrays, with weight 1); may be repeated")
-      ->option_text("NAME[=WEIGHT]")
-      ->allow_extra_args(false)
-      ->each(given),
-    command
-      ->add_option("--metric", options.Metric,
-        "Weight of each tetrahedron: its volume (mass), or the same for all (density) (default: "
-        "mass)")
-      ->check(CLI::IsMember({ "mass", "density" }))
-      ->option_text("NAME")
-      ->each(given),
-    command
-      ->add_option("--boundary-weight", options.BoundaryWeight,
-        "Weight of the boundary's shape relative to the data, 0 to 1 (default: 0.5)")
-      ->check(CLI::Range(0., 1.))
-      ->option_text("W")
-      ->each(given)
-  };
+  this->ApplyWeights(filter);
+  filter->SetMetric(
+    this->Metric == "mass" ? vtkGatunSimplify::METRIC_MASS : vtkGatunSimplify::METRIC_DENSITY);
+  filter->SetBoundaryWeight(this->BoundaryWeight);
+  filter->SetFeatureAngle(this->FeatureAngle);
 }
 
 //------------------------------------------------------------------------------
-void AddFeatureAngle(CLI::App* command, std::optional<double>& angle)
+CLI::Option* AddWeights(CLI::App* command, MergeOptions& options)
 {
+  return command
+    ->add_option("--weight", options.Weights,
+      "Point array whose error is minimized, and its weight relative to other arrays, 0 or more "
+      "(default: the active scalars, or else all arrays, with weight 1); may be repeated")
+    ->option_text("NAME[=WEIGHT]")
+    ->allow_extra_args(false)
+    ->each([&options](const std::string&) { options.AreGiven = true; });
+}
+
+//------------------------------------------------------------------------------
+void AddMergeOptions(CLI::App* command, MergeOptions& options)
+{
+  const auto given = [&options](const std::string&) { options.AreGiven = true; };
+  AddWeights(command, options);
   command
-    ->add_option("--feature-angle", angle,
+    ->add_option("--metric", options.Metric,
+      "Weight of each tetrahedron: its volume (mass), or the same for all (density) (default: "
+      "mass)")
+    ->check(CLI::IsMember({ "mass", "density" }))
+    ->option_text("NAME")
+    ->each(given);
+  command
+    ->add_option("--boundary-weight", options.BoundaryWeight,
+      "Weight of the boundary's shape relative to the data, 0 to 1 (default: 0.5)")
+    ->check(CLI::Range(0., 1.))
+    ->option_text("W")
+    ->each(given);
+  command
+    ->add_option("--feature-angle", options.FeatureAngle,
       "Edges of a surface between triangles whose normals differ by more degrees stay, 0 to 180 "
       "(default: 30)")
     ->check(CLI::Range(0., 180.))
-    ->option_text("A");
+    ->option_text("A")
+    ->each(given);
 }
 }

@@ -28,25 +28,20 @@ namespace
 constexpr std::uint64_t ProgramMiB = 160;
 constexpr std::uint64_t Copies = 4;
 
-// The memory for the boundaries of pieces, in MiB.
-int SpillMiB(int memory)
-{
-  constexpr int most = 256;
-  return std::clamp(memory / 8, 1, most);
-}
+// For the boundaries of pieces, in MiB.
+constexpr std::uint64_t BoundaryMiB = 64;
 
 // What writing takes in MiB. pieceBytes: of the largest piece. moreBytes: of what stays.
-std::uint64_t NeededMiB(int memory, std::uint64_t pieceBytes, std::uint64_t moreBytes)
+std::uint64_t NeededMiB(std::uint64_t pieceBytes, std::uint64_t moreBytes)
 {
-  return ProgramMiB + 2 * static_cast<std::uint64_t>(SpillMiB(memory)) +
-    ((Copies * pieceBytes + moreBytes) >> 20);
+  return ProgramMiB + BoundaryMiB + ((Copies * pieceBytes + moreBytes) >> 20);
 }
 
 // Divides a mesh in one file.
 void Divide(
   vtkGatunWriter* writer, Input& input, const PieceOptions& options, const Settings& settings)
 {
-  if (writer->GetHierarchy() || (writer->GetLayerArray() && *writer->GetLayerArray()))
+  if (writer->GetHierarchy() || writer->GetLayerArray())
   {
     throw Failure(
       input.GetName(), "a hierarchy or layers need the whole mesh, which is divided into pieces");
@@ -71,13 +66,9 @@ void Divide(
   {
     constexpr std::uint64_t leastPiece = 1 << 20;
     const auto limit = static_cast<std::uint64_t>(options.Memory);
-    const std::uint64_t fixed = NeededMiB(options.Memory, 0, 0);
-    int least = options.Memory; // which raises the memory for boundaries
-    while (NeededMiB(least, leastPiece, 0) > static_cast<std::uint64_t>(least))
-    {
-      ++least;
-    }
-    if (least > options.Memory)
+    const std::uint64_t fixed = NeededMiB(0, 0);
+    const std::uint64_t least = NeededMiB(leastPiece, 0);
+    if (least > limit)
     {
       throw Failure(input.GetName(),
         fmt::format("packing a mesh in pieces takes at least {} MiB of memory, and --memory allows "
@@ -96,8 +87,7 @@ void Divide(
   {
     input.Spool(spool, progress);
     const std::uint64_t largest = std::max<std::uint64_t>(1, input.EstimateLargestPart());
-    if (options.Memory == 0 ||
-      NeededMiB(options.Memory, largest, 0) <= static_cast<std::uint64_t>(options.Memory))
+    if (options.Memory == 0 || NeededMiB(largest, 0) <= static_cast<std::uint64_t>(options.Memory))
     {
       break;
     }
@@ -130,24 +120,18 @@ void AddPieceOptions(CLI::App* command, PieceOptions& options)
     ->option_text("N");
   command
     ->add_option("--spill", options.SpillFolder,
-      "Folder of temporary files when the mesh comes in pieces (default: that of the .gtn file)")
+      "Folder for the temporary copy of a .vtu file that is divided (default: that of the .gtn "
+      "file)")
     ->check(CLI::ExistingDirectory)
     ->option_text("DIR");
-  command->add_flag("--join-all", options.JoinAll,
-    "Compare all points of pieces, not only those on their boundaries. Joins lines and surfaces of "
-    "one file to points inside the mesh of another one, and takes more time and disk space. A .vtu "
-    "file that is divided does not need it");
 }
 
 //------------------------------------------------------------------------------
 bool SetPieces(
   vtkGatunWriter* writer, Input& input, const PieceOptions& options, const Settings& settings)
 {
-  writer->SetSpillFolder(options.SpillFolder.empty() ? nullptr : options.SpillFolder.c_str());
-  writer->SetJoinAllPoints(options.JoinAll);
   const auto limit = static_cast<std::uint64_t>(options.Memory);
-  const bool isTooLarge =
-    limit > 0 && NeededMiB(options.Memory, input.EstimateLargestPart(), 0) > limit;
+  const bool isTooLarge = limit > 0 && NeededMiB(input.EstimateLargestPart(), 0) > limit;
   if (input.CanSpool() && (options.Pieces > 1 || isTooLarge))
   {
     Divide(writer, input, options, settings);
@@ -158,14 +142,13 @@ bool SetPieces(
     : options.Memory > 0               ? parts
                                        : 1;
   writer->SetNumberOfPieces(pieces);
-  writer->SetJoinArray(input.HasJoinArray() ? JoinArrayName : nullptr);
   if (limit > 0)
   {
     const auto files = static_cast<std::uint64_t>((parts + pieces - 1) / pieces);
     const auto pieceBytes = parts > 1 || pieces == 1
       ? input.EstimateLargestPart() * files
       : input.EstimateLargestPart() / static_cast<std::uint64_t>(pieces);
-    const auto needed = NeededMiB(options.Memory, pieceBytes, input.GetBytesForAll());
+    const auto needed = NeededMiB(pieceBytes, input.GetBytesForAll());
     if (needed > limit)
     {
       throw Failure(input.GetName(),
@@ -173,7 +156,6 @@ bool SetPieces(
                     "{}; smaller pieces would take less",
           pieces > 1 ? fmt::format("{} pieces", pieces) : "one piece", needed, limit));
     }
-    writer->SetSpillMemory(SpillMiB(options.Memory));
   }
   return pieces > 1 || input.IsSpooled();
 }

@@ -21,13 +21,12 @@ struct PieceOptions
   int Pieces = 0; ///< 0: not given
   int Memory = 0; ///< in MiB, 0: not given
   std::string SpillFolder;
-  bool JoinAll = false;
 
   /** Whether the files of a mesh may be read one by one. */
   bool AreGiven() const { return this->Memory > 0 || this->Pieces > 1; }
 };
 
-/** Adds --memory, --pieces, --spill and --join-all. */
+/** Adds --memory, --pieces and --spill. */
 void AddPieceOptions(CLI::App* command, PieceOptions& options);
 
 /** Divides a mesh as the options say, and sets up the writer for the pieces, whose file name and

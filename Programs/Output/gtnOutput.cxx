@@ -21,8 +21,23 @@
 #include <random>
 #include <system_error>
 
+#include <unistd.h>
+
 namespace gtn
 {
+namespace
+{
+/** Whether a file is marked so, which root could ignore, or of somebody else. */
+bool IsReadOnly(const std::string& file)
+{
+  using std::filesystem::perms;
+  std::error_code error;
+  const auto mode = std::filesystem::status(file, error).permissions();
+  constexpr auto writable = perms::owner_write | perms::group_write | perms::others_write;
+  return (mode & writable) == perms::none || ::access(file.c_str(), W_OK) != 0;
+}
+}
+
 //------------------------------------------------------------------------------
 void CheckWritable(const std::string& file, bool overwrite)
 {
@@ -34,6 +49,10 @@ void CheckWritable(const std::string& file, bool overwrite)
   if (!overwrite && std::filesystem::exists(file, error))
   {
     throw Failure(file, "exists; use -f to overwrite it");
+  }
+  if (std::filesystem::exists(file, error) && IsReadOnly(file))
+  {
+    throw Failure(file, "is read-only; remove it, or allow to write it");
   }
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder, error))

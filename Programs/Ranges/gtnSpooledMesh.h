@@ -42,8 +42,8 @@ struct SpoolSettings
   bool Split = false;
 };
 
-/** The name of the point array by which pieces are joined (vtkGatunWriter::JoinArray): the numbers
- * of points in the whole mesh, or -1 if no other piece has the point. */
+/** The name of the point array by which pieces are joined (vtkGatunWriter::JOIN_POINTS): the
+ * numbers of points in the whole mesh, or -1 if no other piece has the point. */
 inline constexpr const char* JoinArrayName = "gtn: point of the whole mesh";
 
 /**

@@ -6,6 +6,7 @@
 #include "gtnSpooledMesh.h"
 
 #include "gatunFaceStream.h"
+#include "vtkGatunWriter.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -15,6 +16,7 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -108,6 +110,7 @@ void SpooledMesh::FillJoinArray(vtkUnstructuredGrid* grid, std::size_t piece) co
 {
   vtkNew<vtkTypeInt64Array> numbers;
   numbers->SetName(JoinArrayName);
+  numbers->GetInformation()->Set(vtkGatunWriter::JOIN_POINTS(), 1);
   const auto points = this->File.ReadAll<std::uint32_t>(this->GetNumbers(piece));
   const auto marks = piece < this->FirstUnused
     ? this->File.ReadAll<std::uint8_t>(this->Shared + piece)

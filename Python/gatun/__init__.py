@@ -7,7 +7,7 @@ Convenience functions for files and images:
 
     >>> import gatun
     >>> mesh = gatun.read("mesh.gtn")                    # a vtkUnstructuredGrid
-    >>> gatun.write(mesh, "copy.gtn", errors="rel:1e-3")
+    >>> gatun.write(mesh, "copy.gtn", tolerances="rel:1e-3")
     >>> image = gatun.render("mesh.gtn", size=(800, 600))  # an array of 600 x 800 x 4 bytes
 
 Every class can be had from the package, too, as in ``from gatun import vtkGatunReader``. A module of

@@ -188,7 +188,6 @@ def read(
     moment = choose_time(reader, step, time)
     if box is not None:
         reader.SetBox(_check_box(box))
-        reader.UseBoxOn()
     set_property(reader, "ratio", "SimplificationRatio", ratio)
     reader.SetRestoreOrder(bool(restore_order))
     with raising(reader):

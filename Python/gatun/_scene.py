@@ -60,7 +60,7 @@ class Scene:
             self._data = reader.GetOutputDataObject(0)
             return
         self.time = choose_time(reader, step, time)
-        reader.SetOnDemand(reader.ON_DEMAND_ALWAYS)
+        reader.SetLargeMesh(0)
         with raising(reader):
             if self.time is None:
                 reader.Update()

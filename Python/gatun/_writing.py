@@ -24,6 +24,7 @@ from ._errors import Error, raising, set_property
 from ._types import Names, Path, list_names
 
 _ORDERS = {"none": 0, "points": 1, "cells": 2, "corners": 4, "all": 7}
+_TOLERANCES = {"abs": 1, "rel": 2, "pw": 3, "bits": 4}
 _VOLUME_RATES = {
     "quality": ("Quality", 0),
     "rms_error": ("RMSError", 1),
@@ -123,37 +124,42 @@ def _connect_series(writer, series, times, arrays):
 # Options
 
 
-def _set_errors(writer, errors):
-    bounds = {"*": errors} if isinstance(errors, str) else dict(errors or {})
+def _parse_tolerance(parameter, text, kinds):
+    """Returns kind, value and whether zeros are kept, of a text such as "abs:0.1,zeros"."""
+    bound, comma, zeros = text.partition(",") if isinstance(text, str) else (f"abs:{text}", "", "")
+    kind, _, number = bound.partition(":")
+    try:
+        if kind not in kinds or (comma and zeros != "zeros"):
+            raise ValueError
+        return _TOLERANCES[kind], float(number), bool(comma)
+    except ValueError:
+        forms = ", ".join(f"'{k}:{'N' if k == 'bits' else 'E'}'" for k in kinds)
+        raise ValueError(f"{parameter}: {text!r} is none of {forms}") from None
+
+
+def _set_tolerances(writer, tolerances):
+    bounds = {"*": tolerances} if isinstance(tolerances, str) else dict(tolerances or {})
     for name, bound in bounds.items():
         if not isinstance(bound, str):
             raise ValueError(
-                f"errors: {bound!r} of {name!r} has to be a text such as 'rel:1e-3' or 'abs:0.1'"
+                f"tolerances: {bound!r} of {name!r} has to be a text such as 'rel:1e-3' or 'abs:0.1'"
             )
-        writer.AddError(f"{name}={bound}")
+        writer.SetArrayTolerance(name, *_parse_tolerance("tolerances", bound, _TOLERANCES))
 
 
-def _set_point_error(writer, error):
-    if error is None:
-        return
-    kind, _, number = error.partition(":") if isinstance(error, str) else ("abs", ":", error)
-    names = {"abs": "PointError", "rel": "RelativePointError", "bits": "PointBits"}
-    try:
-        value = int(number) if kind == "bits" else float(number)
-        name = names[kind]
-    except (KeyError, ValueError, TypeError):
-        raise ValueError(
-            f"point_error: {error!r} is no number, and none of 'abs:E', 'rel:E' and 'bits:N'"
-        ) from None
-    set_property(writer, "point_error", name, value)
+def _set_point_tolerance(writer, tolerance):
+    if tolerance is not None:
+        kind, value, _ = _parse_tolerance("point_tolerance", tolerance, ("abs", "rel", "bits"))
+        writer.SetPointTolerance(kind, value)
 
 
 def _set_layers(writer, layers):
     if layers is None:
         return
     name, number = (layers, 0) if isinstance(layers, str) else layers
-    writer.SetLayerArray(name)
-    set_property(writer, "layers", "NumberOfLayers", number)
+    if not 0 <= number <= 4096:
+        raise ValueError(f"layers: {number} is not from 0 to 4096")
+    writer.SetLayers(name, -1, number)
 
 
 def _find_order(order):
@@ -173,10 +179,10 @@ def _find_order(order):
 def _choose_arrays(writer, arrays):
     if arrays is None:
         return
-    writer.WriteUnlistedArraysOff()
-    for name in arrays:
-        writer.GetPointDataArraySelection().EnableArray(name)
-        writer.GetCellDataArraySelection().EnableArray(name)
+    for selection in writer.GetPointDataArraySelection(), writer.GetCellDataArraySelection():
+        selection.SetUnknownArraySetting(0)
+        for name in arrays:
+            selection.EnableArray(name)
 
 
 def _check_arrays(arrays, mesh):
@@ -259,10 +265,9 @@ def write(
     path: Path,
     *,
     arrays: Names | None = None,
-    errors: str | Mapping[str, str] | None = None,
-    keep_zeros: bool = False,
+    tolerances: str | Mapping[str, str] | None = None,
     fast_arrays: bool = False,
-    point_error: float | str | None = None,
+    point_tolerance: float | str | None = None,
     keep_order: bool | Names = "none",
     hierarchy: bool = False,
     levels: int = 0,
@@ -270,7 +275,7 @@ def write(
     boundary: bool = False,
     split_cells: bool = False,
     times: Iterable[float] | bool | None = None,
-    chunk_tets: int = 0,
+    chunk_size: int = 0,
     key_step_interval: int = 8,
     quality: float | None = None,
     rms_error: float | None = None,
@@ -281,7 +286,7 @@ def write(
     """Writes a mesh or a series of meshes to a .gtn file, or a volume to a .ghv file.
 
     The file appears under its name once it is complete; an existing file is replaced then. Meshes
-    are stored without loss unless ``errors`` or ``point_error`` are given.
+    are stored without loss unless ``tolerances`` or ``point_tolerance`` are given.
 
     Args:
         data: a vtkUnstructuredGrid or vtkPolyData; a tree of blocks, which become one mesh; an
@@ -292,13 +297,13 @@ def write(
         path: the file to write.
         arrays: names of the point and cell arrays to write, or one name; None for all (of a
             volume: the active scalars).
-        errors: the largest errors of arrays: a dictionary from names, or ``"*"`` for all others, to
-            ``"abs:E"``, ``"rel:E"``, ``"pw:E"`` or ``"bits:N"``; or one of these texts for all
-            arrays. See ``vtkGatunWriter.AddError``.
-        keep_zeros: whether values of 0 stay exactly 0 in arrays with errors.
+        tolerances: how much arrays may change: a dictionary from names, or ``"*"`` for all others,
+            to ``"abs:E"``, ``"rel:E"``, ``"pw:E"`` or ``"bits:N"``, with ``",zeros"`` at the end if
+            values of 0 have to stay; or one of these texts for all arrays. See
+            ``vtkGatunWriter.SetArrayTolerance``.
         fast_arrays: whether arrays are compressed so that they are read faster, in a file that is 2
             to 15 percent larger.
-        point_error: the largest error of coordinates: a number in their units, or ``"abs:E"``,
+        point_tolerance: how much coordinates may change: a number in their units, or ``"abs:E"``,
             ``"rel:E"`` (of the longest side of the bounds) or ``"bits:N"``.
         keep_order: the original order that the file keeps: ``"none"``, ``"points"``, ``"cells"``,
             ``"corners"`` or ``"all"``, or a list of these. True is ``"all"``.
@@ -311,7 +316,7 @@ def write(
         split_cells: whether to write tetrahedra in place of other cells.
         times: for a series, the times of its meshes, ascending (default: 0, 1, 2, ...); for an
             algorithm that has time steps, True to write all of them.
-        chunk_tets: largest number of tetrahedra in a chunk, 64 to 1048576, or 0 (automatic).
+        chunk_size: largest number of tetrahedra in a chunk, 64 to 1048576, or 0 (automatic).
         key_step_interval: number of time steps from one that needs no other step to the next.
         quality, rms_error, psnr, bits_per_voxel: for volumes, one of these: quality from 1 to 100
             (default: 60), largest root mean square error (0: lossless), least peak signal-to-noise
@@ -341,20 +346,19 @@ def write(
         return _write_volume(data, path, rates, block_size, arrays)
     for name, value in rates.items():
         if value is not None:
-            raise ValueError(f"{name}: is for volumes; meshes have errors")
+            raise ValueError(f"{name}: is for volumes; meshes have tolerances")
     writer = get_class("vtkGatunWriter")()
     writer.SetFileName(path)
     _choose_arrays(writer, arrays)
-    _set_errors(writer, errors)
-    writer.SetKeepZeros(bool(keep_zeros))
+    _set_tolerances(writer, tolerances)
     writer.SetFastArrays(bool(fast_arrays))
-    _set_point_error(writer, point_error)
+    _set_point_tolerance(writer, point_tolerance)
     writer.SetKeepOrder(_find_order(keep_order))
     writer.SetHierarchy(bool(hierarchy or levels))
     set_property(writer, "levels", "Levels", levels)
     _set_layers(writer, layers)
     writer.SetWriteBoundary(bool(boundary))
     writer.SetSplitCells(bool(split_cells))
-    set_property(writer, "chunk_tets", "ChunkTets", chunk_tets)
+    set_property(writer, "chunk_size", "ChunkSize", chunk_size)
     set_property(writer, "key_step_interval", "KeyStepInterval", key_step_interval)
     return _run(writer, _connect(writer, data, times, arrays))

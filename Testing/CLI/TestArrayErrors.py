@@ -16,7 +16,7 @@ from gatunCli import enter_folder, gtn, read, standard_mesh, write
 enter_folder("array-errors")
 write(standard_mesh(8), "mesh.vtu")
 gtn("pack", "-q", "mesh.vtu", "exact.gtn")
-gtn("pack", "-q", "--error", "velocity=rel:1e-2", "--error", "*=abs:1e-3", "mesh.vtu", "mesh.gtn")
+gtn("pack", "-q", "--tolerance", "velocity=rel:1e-2", "--tolerance", "*=abs:1e-3", "mesh.vtu", "mesh.gtn")
 assert os.path.getsize("mesh.gtn") < os.path.getsize("exact.gtn")
 
 # All kinds of errors are told, with the largest one; and none where there is none.
@@ -29,7 +29,7 @@ assert all(not row.get("error") for row in json.loads(gtn("info", "--json", "exa
 gtn("info", "mesh.gtn", says="rel:0.01, reached")
 
 # The error that is told is the largest one there is.
-gtn("pack", "-q", "--keep-order", "all", "--error", "velocity=rel:1e-2", "mesh.vtu", "ordered.gtn")
+gtn("pack", "-q", "--keep-order", "all", "--tolerance", "velocity=rel:1e-2", "mesh.vtu", "ordered.gtn")
 gtn("unpack", "-q", "ordered.gtn", "back.vtu")
 before, after = (vtk_to_numpy(read(name).GetPointData().GetArray("velocity")).astype(float)
                  for name in ("mesh.vtu", "back.vtu"))
@@ -43,7 +43,7 @@ for name in "mesh.gtn", "ordered.gtn":
     worst = float(re.search(r"the largest is ([0-9.]+) of its bound", said).group(1))
     assert 0 < worst <= 1
 gtn("verify", "exact.gtn", "back.vtu", code=1, says="velocity")
-gtn("pack", "-q", "--keep-order", "all", "--error", "velocity=rel:1e-6", "back.vtu", "finer.gtn")
+gtn("pack", "-q", "--keep-order", "all", "--tolerance", "velocity=rel:1e-6", "back.vtu", "finer.gtn")
 gtn("verify", "finer.gtn", "mesh.vtu", code=1, says="velocity")
 
 
@@ -118,14 +118,14 @@ tight = copy_of_mesh()
 values = np.linspace(0, 1, tight.GetNumberOfPoints())
 replace(tight, np.stack([values, values, values], axis=1))
 write(tight, "wide.vtu")
-gtn("pack", "-q", "--keep-order", "all", "--error", "velocity=rel:0.25", "wide.vtu", "wide.gtn")
+gtn("pack", "-q", "--keep-order", "all", "--tolerance", "velocity=rel:0.25", "wide.vtu", "wide.gtn")
 gtn("verify", "wide.gtn", "wide.vtu", says="but for bounded errors")
 replace(tight, np.stack([np.minimum(values, 0.999)] * 3, axis=1))
 write(tight, "tight.vtu")
 gtn("verify", "wide.gtn", "tight.vtu", code=1,
     says="point array 'velocity' is rounded by more than its bound (rel:0.25) allows for the range of component 0")
 
-gtn("pack", "-q", "--error", "velocity=rel:1e-2", "mesh.vtu", "mesh.vtu", "twice.gtn")
+gtn("pack", "-q", "--tolerance", "velocity=rel:1e-2", "mesh.vtu", "mesh.vtu", "twice.gtn")
 gtn("verify", "twice.gtn", "mesh.vtu", code=1, says="2 time steps, not 1")
 gtn("verify", "twice.gtn", "mesh.vtu", "mesh.vtu", says="2 time steps but for bounded errors")
 gtn("verify", "twice.gtn", "mesh.vtu", "nan.vtu", code=1, says="differs at step 1 (time 1): point array 'velocity'")
@@ -133,8 +133,8 @@ gtn("verify", "mesh.gtn", "mesh.vtu", "mesh.vtu", code=1, says="1 time steps, no
 gtn("verify", "--arrays", "pressure", "mesh.gtn", "nan.vtu", says="identical")
 
 # Usage.
-for error in "velocity", "velocity=abs:0", "velocity=abs:nan", "velocity=up:1", "velocity=bits:99":
-    gtn("pack", "--error", error, "mesh.vtu", "no.gtn", code=2, says="--error")
-gtn("pack", "--error", "nobody=abs:1", "mesh.vtu", "no.gtn", code=1, says="nobody")
-gtn("pack", "--keep-zeros", "mesh.vtu", "no.gtn", code=2, says="--error")
+for error in "velocity", "velocity=abs:0", "velocity=abs:nan", "velocity=up:1", "velocity=bits:99", \
+        "velocity=abs:1,one", "velocity=abs:", "velocity=abs:1e999":
+    gtn("pack", "--tolerance", error, "mesh.vtu", "no.gtn", code=2, says="--tolerance")
+gtn("pack", "--tolerance", "nobody=abs:1", "mesh.vtu", "no.gtn", code=1, says="nobody")
 assert not os.path.exists("no.gtn")

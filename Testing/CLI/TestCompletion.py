@@ -98,7 +98,7 @@ common = [
     ("gtn info two" + TAB, ["info", "two words.gtn"]),
     ("gtn info --json mesh" + TAB, ["info", "--json", "mesh.gtn"]),
     # A number is typed.
-    ("gtn pack --chunk m" + TAB, ["pack", "--chunk", "m"]),
+    ("gtn pack --chunk-size m" + TAB, ["pack", "--chunk-size", "m"]),
     # A file may be called like a command.
     ("gtn pack volume --lev" + TAB, ["pack", "volume", "--levels"]),
 ]

@@ -34,7 +34,7 @@ def make_mesh(center, dtype=np.float32):
 
 CENTER = np.array([7.1, 6.9, 7.2])
 write(make_mesh(CENTER), "mesh.vtu")
-gtn("pack", "-q", "--chunk", 500, "mesh.vtu", "mesh.gtn")
+gtn("pack", "-q", "--chunk-size", 500, "mesh.vtu", "mesh.gtn")
 grid = read("mesh.vtu")
 distances = vtk_to_numpy(grid.GetPointData().GetArray("distance"))
 
@@ -155,7 +155,7 @@ with open("out.obj") as file:
 np.testing.assert_array_equal(np.array(texts, np.float64), points_of(sphere))
 
 # The simplified mesh: as the file tells, or found out.
-gtn("pack", "-q", "--chunk", 500, "--hierarchy", "mesh.vtu", "any.gtn")
+gtn("pack", "-q", "--chunk-size", 500, "--hierarchy", "mesh.vtu", "any.gtn")
 for option, value, least, most in (("--ratio", 0.8, 0.25, 0.7),
                                    ("--points", 600, 0.2, 0.7), ("--rms-error", 0.02, 0.01, 0.99)):
     for source in ("any.gtn", "mesh.gtn", "mesh.vtu"):
@@ -171,7 +171,7 @@ for option, value, least, most in (("--ratio", 0.8, 0.25, 0.7),
 # Time steps.
 for step in range(3):
     write(make_mesh(CENTER - step), f"run{step}.vtu")
-gtn("pack", "-q", "--chunk", 500, *(f"run{step}.vtu" for step in range(3)), "run.gtn")
+gtn("pack", "-q", "--chunk-size", 500, *(f"run{step}.vtu" for step in range(3)), "run.gtn")
 for asked in ("--step", "--time"):
     for step in (1, 2):
         assert_same(contour(asked, step, "--value", 4, source="run.gtn"),
@@ -231,7 +231,7 @@ run = gtn("contour", "-f", "-q", "--value", 100, "mesh.gtn", "none.vtp")
 assert run == "", run
 
 # A file that is organized by layers of the array is told from one that is not.
-gtn("pack", "-q", "--chunk", 500, "--layers", "distance:6", "mesh.vtu", "layers.gtn")
+gtn("pack", "-q", "--chunk-size", 500, "--layers", "distance:6", "mesh.vtu", "layers.gtn")
 told = "not organized by layers of 'distance'"
 assert told in gtn("contour", "-f", "-v", "--value", 5, "mesh.gtn", "layers.vtp")
 assert told not in gtn("contour", "-f", "-v", "--value", 5, "layers.gtn", "layers.vtp")

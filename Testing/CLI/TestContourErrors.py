@@ -140,7 +140,7 @@ if os.geteuid() != 0:
 
 # Ctrl+C, at several moments.
 write(standard_mesh(24), "large.vtu")
-gtn("pack", "-q", "--chunk", 4000, "large.vtu", "large.gtn")
+gtn("pack", "-q", "--chunk-size", 4000, "large.vtu", "large.gtn")
 for name in FORMATS:
     for delay in (0.02, 0.3, 0.9):
         with open("kept." + name, "w") as file:

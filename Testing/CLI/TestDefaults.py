@@ -26,7 +26,7 @@ random = np.random.default_rng(2)
 ball += 0.01 * random.random(len(ball))
 write(make_grid(points, tets, {"ball": ball.astype(np.float32)}), "body.vtu")
 gtn("pack", "-q", "body.vtu", "body.gtn")
-gtn("pack", "-q", "--chunk", 400, "body.vtu", "chunks.gtn")
+gtn("pack", "-q", "--chunk-size", 400, "body.vtu", "chunks.gtn")
 
 
 def frame_of(picture):
@@ -98,7 +98,7 @@ writer = vtkXMLPolyDataWriter()
 writer.SetInputConnection(source.GetOutputPort())
 writer.SetFileName("surface.vtp")
 writer.Write()
-gtn("pack", "-q", "--chunk", 100, "surface.vtp", "surface.gtn")
+gtn("pack", "-q", "--chunk-size", 100, "surface.vtp", "surface.gtn")
 for name in ("surface.vtp", "surface.gtn"):
     for more in (("--size", "150x80"), ("--parallel", "--size", "50x130")):
         gtn("render", "-q", "-f", *more, name, "surface.png")

@@ -13,7 +13,7 @@ from gatunCli import enter_folder, gtn, lattice, make_grid, standard_mesh, write
 enter_folder("info")
 grid = standard_mesh(6)
 write(grid, "mesh.vtu")
-gtn("pack", "-q", "--chunk", 200, "--keep-order", "cells", "mesh.vtu", "mesh.gtn")
+gtn("pack", "-q", "--chunk-size", 200, "--keep-order", "cells", "mesh.vtu", "mesh.gtn")
 
 info = json.loads(gtn("info", "--json", "-v", "mesh.gtn"))
 assert info["tets"] == grid.GetNumberOfCells()

@@ -35,7 +35,7 @@ CHOICES = (
     ("velocity:5 --layer-component magnitude", {"component": "magnitude"}),
 )
 for choice, expected in CHOICES:
-    gtn("pack", "-fq", "--chunk", 500, "--layers", *choice.split(), "mesh.vtu", "layers.gtn")
+    gtn("pack", "-fq", "--chunk-size", 500, "--layers", *choice.split(), "mesh.vtu", "layers.gtn")
     gtn("verify", "-q", "layers.gtn", "mesh.vtu")
     info = info_of("layers.gtn")
     assert info["hasLayers"] and info["formatVersion"] == 1
@@ -46,8 +46,8 @@ for choice, expected in CHOICES:
     assert sum(span["tets"] for span in layers["spans"]) == info["tets"]
     assert sum(span["chunks"] for span in layers["spans"]) == info["chunks"]
 
-gtn("pack", "-fq", "--chunk", 500, "--layers", "pressure:4:uniform", "mesh.vtu", "layers.gtn")
-gtn("pack", "-fq", "--chunk", 500, "mesh.vtu", "plain.gtn")
+gtn("pack", "-fq", "--chunk-size", 500, "--layers", "pressure:4:uniform", "mesh.vtu", "layers.gtn")
+gtn("pack", "-fq", "--chunk-size", 500, "mesh.vtu", "plain.gtn")
 low, high = pressure.min(), pressure.max()
 info = info_of("layers.gtn", "-v")
 np.testing.assert_allclose(info["layers"]["bounds"], np.linspace(low, high, 5)[1:4], rtol=1e-6)
@@ -141,7 +141,7 @@ points, tets = lattice(12)
 odd = make_grid(points, tets, {
     "strange": strange, "same": np.full(len(points), 3), "nothing": np.full(len(points), np.nan)})
 write(odd, "odd.vtu")
-gtn("pack", "-fq", "--chunk", 500, "--layers", "strange:5", "odd.vtu", "odd.gtn")
+gtn("pack", "-fq", "--chunk-size", 500, "--layers", "strange:5", "odd.vtu", "odd.gtn")
 gtn("verify", "-q", "odd.gtn", "odd.vtu")
 histogram = info_of("odd.gtn", "--histogram", "strange:4")["histogram"]
 assert histogram["notANumber"] == np.isnan(strange).sum() and histogram["infinite"] == 2

@@ -35,7 +35,7 @@ with open("run.pvd", "w", encoding="ascii") as file:
     file.write(f'<VTKFile type="Collection"><Collection>{sets}</Collection></VTKFile>')
 
 for arguments in (["run.pvd"], files):
-    gtn("pack", "-f", "--keep-order", "all", "--key-steps", 3, *arguments, "run.gtn", says="9 time steps")
+    gtn("pack", "-f", "--keep-order", "all", "--key-step-interval", 3, *arguments, "run.gtn", says="9 time steps")
     gtn("verify", "run.gtn", *arguments, says="identical")
     gtn("verify", "run.gtn")
     for step in (8, 0, 4, 3):
@@ -59,7 +59,7 @@ assert json.loads(gtn("info", "--json", "still.gtn"))["pointsMove"] is False
 
 # With an error of the coordinates the file is smaller, and verified.
 gtn("pack", "-q", "-f", "run.pvd", "exact.gtn")
-gtn("pack", "-q", "-f", "--point-error", "rel:1e-3", "run.pvd", "rounded.gtn")
+gtn("pack", "-q", "-f", "--point-tolerance", "rel:1e-3", "run.pvd", "rounded.gtn")
 assert os.path.getsize("rounded.gtn") < 0.8 * os.path.getsize("exact.gtn")
 
 # Packed again, with a hierarchy.

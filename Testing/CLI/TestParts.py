@@ -61,7 +61,7 @@ for name, files in (
     gtn("verify", "steps.gtn", "whole0.vtu", "whole1.vtu", says="identical")
 
 # A .gtn file knows pieces itself.
-gtn("pack", "-q", "--chunk", 300, "whole0.vtu", "whole.gtn")
+gtn("pack", "-q", "--chunk-size", 300, "whole0.vtu", "whole.gtn")
 gtn("pack", "--pieces", 4, "whole.gtn", "again.gtn", says=f"{len(points):,} points")
 
 

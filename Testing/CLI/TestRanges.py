@@ -158,9 +158,9 @@ for compressor in ("None", "ZLib"):
     info = packed("mixed.vtu", pieces=7)
     gtn("verify", "pieces.gtn", "mixed.vtu", says="identical")
     assert info["points"] == mixed.GetNumberOfPoints(), info
-gtn("pack", "-q", "-f", "--tets", "mixed.vtu", "whole.gtn")
+gtn("pack", "-q", "-f", "--split-cells", "mixed.vtu", "whole.gtn")
 tets = json.loads(gtn("info", "--json", "whole.gtn"))
-info = packed("mixed.vtu", "--tets", pieces=4)
+info = packed("mixed.vtu", "--split-cells", pieces=4)
 assert (info["tets"], info["points"]) == (tets["tets"], tets["points"]), (info, tets)
 
 # Points that are nowhere, and all at the same place: then the order of the cells decides.

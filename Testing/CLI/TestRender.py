@@ -16,7 +16,7 @@ from gatunPictures import read_exr, read_png, run_oiiotool, to_array
 
 enter_folder("render")
 write(standard_mesh(8), "mesh.vtu")
-gtn("pack", "-q", "--chunk", 500, "mesh.vtu", "mesh.gtn")
+gtn("pack", "-q", "--chunk-size", 500, "mesh.vtu", "mesh.gtn")
 WIDTH, HEIGHT = 80, 60
 position, focal_point, view_up = (14, 9, 19), (4, 4.5, 3.5), (0.1, 1, 0)
 with open("camera.json", "w") as file:

@@ -80,7 +80,7 @@ fails(says="gtn: cut.gtn: ", mesh="cut.gtn")
 
 # In many places of a file of many chunks: the right picture, or none and a message.
 write(standard_mesh(6), "many.vtu")
-gtn("pack", "-q", "--chunk", 100, "many.vtu", "many.gtn")
+gtn("pack", "-q", "--chunk-size", 100, "many.vtu", "many.gtn")
 gtn(*SMALL, "-q", "many.gtn", "many.png")
 right = read_png("many.png")
 with open("many.gtn", "rb") as file:

@@ -34,7 +34,7 @@ for writer, name in ((vtkXMLPolyDataWriter(), "ball.vtp"), (vtkPLYWriter(), "bal
     writer.SetInputConnection((height if name == "ball.vtp" else ball).GetOutputPort())
     writer.SetFileName(name)
     writer.Write()
-gtn("pack", "-q", "--chunk", "500", "--levels", "2", "ball.vtp", "ball.gtn")
+gtn("pack", "-q", "--chunk-size", "500", "--levels", "2", "ball.vtp", "ball.gtn")
 
 ARRAY = ("--array", "Elevation", "--range", "-1,1")
 gtn("render", *VIEW, *ARRAY, "ball.vtp", "vtp.png")

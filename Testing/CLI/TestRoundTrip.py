@@ -114,7 +114,7 @@ gtn("verify", "kept.gtn", says="(1 chunk, 4 arrays, the order of points, cells, 
 for chunk in (64, 300):
     for threads in (1, 3):
         name = f"c{chunk}-t{threads}.gtn"
-        gtn("pack", "-q", "--chunk", chunk, "--threads", threads, "standard.vtu", name)
+        gtn("pack", "-q", "--chunk-size", chunk, "--threads", threads, "standard.vtu", name)
         gtn("verify", "--threads", threads, name, "standard.vtu", says="identical")
     with open(f"c{chunk}-t1.gtn", "rb") as one, open(f"c{chunk}-t3.gtn", "rb") as three:
         assert one.read() == three.read(), "the bytes depend on the number of threads"

@@ -38,7 +38,7 @@ for step, name in enumerate(files):
     write(grid_at(step, 0.5 + 0.25 * step), "timed" + name)
 
 # Without times in the files they are numbered.
-gtn("pack", "--key-steps", 4, *files, "run.gtn", says="11 time steps")
+gtn("pack", "--key-step-interval", 4, *files, "run.gtn", says="11 time steps")
 gtn("verify", "run.gtn", *files, says="identical")
 assert json.loads(gtn("info", "--json", "run.gtn"))["times"] == list(range(STEPS))
 gtn("verify", "run.gtn", *files[1:], code=1, says="11 time steps, not 10")

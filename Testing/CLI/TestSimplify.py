@@ -46,7 +46,6 @@ check("ratio.vtu", lambda s: s.SetSimplificationRatio(0.6))
 
 
 def number(s):
-    s.SetSimplificationTarget(s.TARGET_NUMBER_OF_POINTS)
     s.SetSimplificationNumberOfPoints(150)
     s.SetMetric(s.METRIC_DENSITY)
     s.SetBoundaryWeight(0.25)
@@ -60,7 +59,6 @@ assert check("number.vtu", number) == 150
 
 
 def error(s):
-    s.SetSimplificationTarget(s.TARGET_RMS_ERROR)
     s.SetSimplificationRMSError(0.02)
 
 

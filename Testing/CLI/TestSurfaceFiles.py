@@ -77,7 +77,7 @@ def info(name):
 for name, cells in (("mixed.vtp", mixed.GetNumberOfCells()), ("mixed.vtk", mixed.GetNumberOfCells()),
                     ("sphere.stl", TRIANGLES), ("sphere.ply", TRIANGLES), ("sphere.obj", TRIANGLES),
                     ("sphere.pvtp", TRIANGLES)):
-    for options in ((), ("--keep-order", "all", "--chunk", "64")):
+    for options in ((), ("--keep-order", "all", "--chunk-size", "64")):
         gtn("pack", "-f", *options, name, name + ".gtn")
         gtn("verify", name + ".gtn", name, says="identical")
         gtn("verify", name + ".gtn", says="intact")
@@ -163,15 +163,15 @@ def packed_places(*options):
 longest = np.ptp(places, 0).max().astype(float)
 for option, most in (
         ("abs:1e-3", 1e-3), ("rel:1e-3", 1e-3 * longest), ("bits:10", 0.5 / 1023 * 1.0001)):
-    told, rounded = packed_places("--point-error", option)
+    told, rounded = packed_places("--point-tolerance", option)
     error = np.abs(rounded.astype(float) - places).max()
     assert 0.3 * most < error <= most and f"coordinates differ by at most {error:.6g}" in told, told
 told, exact = packed_places()
 assert np.array_equal(exact, places) and "differ" not in told
 for wrong in ("abs:0", "abs:-1", "abs:nan", "abs:inf", "abs:", "abs", "bits:0", "bits:32", "bits:x",
               "rel:0", "rel:1", "rel:x", "pw:0.1", "1e-3", ""):
-    gtn("pack", "--point-error", wrong, "sphere.ply", "new.gtn", code=2)
-gtn("pack", "--pieces", 3, "--point-error", "bits:9", "sphere.pvtp", "new.gtn", code=1,
+    gtn("pack", "--point-tolerance", wrong, "sphere.ply", "new.gtn", code=2)
+gtn("pack", "--pieces", 3, "--point-tolerance", "bits:9", "sphere.pvtp", "new.gtn", code=1,
     says="needs the bounds of the whole mesh")
 
 # A scene of glTF: a mesh of two triangles that is moved by its node.
@@ -213,7 +213,7 @@ assert info("strips.gtn")["surface"] is True
 for surface in ("mixed.vtp", "mixed.vtp.gtn"):
     gtn("contour", "--value", 1, surface, "new.vtp", code=1,
         says=surface + ": is a surface (vtkPolyData), without 3D cells")
-    gtn("pack", "--tets", surface, "new.gtn", code=1, says=surface + ": is a surface")
+    gtn("pack", "--split-cells", surface, "new.gtn", code=1, says=surface + ": is a surface")
     for option in ("--hierarchy", "--levels=2"):
         gtn("pack", option, surface, "new.gtn", code=1, says="gtn pack --triangles")
 
@@ -242,7 +242,6 @@ assert [mesh["points"] for mesh in told["baseMeshes"]] == [6111], told["baseMesh
 assert 10000 < told["baseMeshes"][0]["cells"] < 13000, told["baseMeshes"]
 assert "\nbase meshes\n" in gtn("info", "plane.gtn")
 gtn("verify", "--triangles", "plane.gtn", "plane.vtp", says="identical")
-gtn("pack", "--feature-angle", 5, "sphere.ply", "new.gtn", code=2, says="need --hierarchy")
 
 # Damaged files.
 with open("sphere.stl", "rb") as file:

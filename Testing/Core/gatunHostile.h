@@ -57,7 +57,7 @@ inline FileImage MakeImage()
 {
   const auto path = GetPath("sample.gtn");
   WriterOptions options;
-  options.ChunkTets = 64;
+  options.ChunkSize = 64;
   options.Keep = KeepAll;
   WriteSample(path, MakeCubes(3, 0.2), options, 3);
   return FileImage(path);

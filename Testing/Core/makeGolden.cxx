@@ -159,7 +159,7 @@ void Write(const std::string& folder, const std::string& name, const TreeSample&
   std::uint8_t keep = KeepAll)
 {
   WriterOptions options;
-  options.ChunkTets = chunkTets;
+  options.ChunkSize = chunkTets;
   options.Keep = keep;
   options.Dependencies = true;
   options.KeyStepInterval = 2;

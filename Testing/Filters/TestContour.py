@@ -57,7 +57,7 @@ for dtype, wide, wave_type in ((np.float32, True, np.float32), (np.float32, Fals
     sources = [(grid, grid)]
     for kind, options in gc.kinds_of_files("wave").items():
         path = gm.temporary("contour-%s.gtn" % kind)
-        gm.write(grid, path, ChunkTets=200, **options)
+        gm.write(grid, path, ChunkSize=200, **options)
         sources.append((gc.open_file(path), gm.read(path)))
     for array, component in (("wave", -1), ("wave", 0), ("vector", -1), ("vector", 0), ("vector", 2),
                              ("steps", -1), ("byte", 0), ("pair", -1), ("pair", 1)):
@@ -88,7 +88,7 @@ assert compared > 10 ** 5, compared
 # The scalars: by name, the active ones, and those of another name than the active ones.
 grid = make_box()
 path = gm.temporary("contour.gtn")
-gm.write(grid, path, ChunkTets=300)
+gm.write(grid, path, ChunkSize=300)
 file = gc.open_file(path)
 whole = gm.read(path)
 for source in (grid, file):
@@ -129,7 +129,7 @@ texts = vtkStringArray()
 texts.SetName("texts")
 texts.SetNumberOfValues(ids.GetNumberOfPoints())
 id_path = gm.temporary("contour-ids.gtn")
-gm.write(ids, id_path, ChunkTets=300)
+gm.write(ids, id_path, ChunkSize=300)
 ids.GetPointData().AddArray(texts)
 for source in (ids, gc.open_file(id_path)):
     mesh = ids if source is ids else gm.read(id_path)
@@ -165,7 +165,7 @@ for kind, dtype in TYPES.items():
     gm.add_array(typed.GetPointData(), np.resize(np.arange(100, dtype=dtype), len(points)),
                  "scalars %d" % kind, kind)
 type_path = gm.temporary("contour-types.gtn")
-gm.write(typed, type_path, ChunkTets=100)
+gm.write(typed, type_path, ChunkSize=100)
 type_file, type_mesh = gc.open_file(type_path), gm.read(type_path)
 for kind in TYPES:
     for isovalue in (10.5, 60):
@@ -210,7 +210,7 @@ for source in (grid, file):
 # The precision of points.
 doubles = make_box(dtype=np.float64)
 double_path = gm.temporary("contour-double.gtn")
-gm.write(doubles, double_path, ChunkTets=300)
+gm.write(doubles, double_path, ChunkSize=300)
 for mesh, one_path in ((grid, path), (doubles, double_path)):
     for source, decoded in ((mesh, mesh), (gc.open_file(one_path), gm.read(one_path))):
         for precision, kind in ((0, c.VTK_FLOAT), (1, c.VTK_DOUBLE)):

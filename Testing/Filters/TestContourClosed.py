@@ -77,7 +77,7 @@ def check(source, expected, isovalue=0.0):
 
 def write(grid, kind, chunk):
     path = gm.temporary("closed-%s.gtn" % kind)
-    gm.write(grid, path, ChunkTets=chunk, **gc.kinds_of_files("field")[kind])
+    gm.write(grid, path, ChunkSize=chunk, **gc.kinds_of_files("field")[kind])
     return path
 
 

@@ -32,7 +32,7 @@ def make_grid(cells=tets, values=wave):
 
 def write(grid, name="contour-errors.gtn", **options):
     path = gm.temporary(name)
-    gm.write(grid, path, ChunkTets=300, **options)
+    gm.write(grid, path, ChunkSize=300, **options)
     return path
 
 

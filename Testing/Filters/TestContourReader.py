@@ -37,7 +37,7 @@ DECODED = {"RestoreOrder": False}  # so that corners come as they are in the fil
 
 for kind, options in gc.kinds_of_files("wave").items():
     path = gm.temporary("behind-%s.gtn" % kind)
-    gm.write(grid, path, ChunkTets=500, **options)
+    gm.write(grid, path, ChunkSize=500, **options)
     whole = gm.read(path)
     chunks = gc.open_file(path)
     chunks.UpdateInformation()
@@ -49,7 +49,7 @@ for kind, options in gc.kinds_of_files("wave").items():
     contour = gc.make_contour(reader, 0.4, "wave")
     contour.Update()
     assert gc.assert_same(contour.GetOutput(), gc.reference(whole, 0.4, "wave")) > 1000
-    assert reader.GetDecodedChunks() == 0 and reader.GetOutput().GetNumberOfCells() == 0
+    assert gm.statistic(reader, "DecodedChunks") == 0 and reader.GetOutput().GetNumberOfCells() == 0
     assert contour.GetNumberOfChunks() == chunks
     used, few = contour.GetNumberOfChunksUsed(), contour.GetBytesRead()
     assert 0 < used < chunks and 0 < contour.GetNumberOfTetrahedraUsed() <= 500 * used
@@ -88,7 +88,7 @@ for kind, options in gc.kinds_of_files("wave").items():
     # beside the output, so the first isosurface reads its chunks.
     reader = gc.open_file(path)
     reader.Update()
-    held, bytes_read, decoded = reader.GetOutput(), reader.GetBytesRead(), reader.GetDecodedChunks()
+    held, bytes_read, decoded = reader.GetOutput(), gm.statistic(reader, "BytesRead"), gm.statistic(reader, "DecodedChunks")
     time = held.GetUpdateTime()
     contour = gc.make_contour(reader, 0.4, "wave")
     for isovalue in (0.4, 0.2):
@@ -97,7 +97,7 @@ for kind, options in gc.kinds_of_files("wave").items():
         gc.assert_same(contour.GetOutput(), gc.reference(whole, isovalue, "wave"))
         assert reader.GetOutput().GetNumberOfCells() == len(tets)
         assert reader.GetOutput().GetUpdateTime() == time
-        assert reader.GetDecodedChunks() == decoded and reader.GetBytesRead() > bytes_read
+        assert gm.statistic(reader, "DecodedChunks") == decoded and gm.statistic(reader, "BytesRead") > bytes_read
     # A piece of it, too.
     reader.UpdatePiece(1, 4, 1)
     cells = reader.GetOutput().GetNumberOfCells()
@@ -145,7 +145,7 @@ for kind, options in gc.kinds_of_files("wave").items():
             corners = gc.points_of(output)[gc.triangles_of(output)].reshape(-1, 9)
             cells.append(np.concatenate(
                 [corners, vtk_to_numpy(output.GetCellData().GetArray("cell"))[:, None]], 1))
-        assert reader.GetDecodedChunks() == 0
+        assert gm.statistic(reader, "DecodedChunks") == 0
         assert count == one.GetNumberOfCells() and largest < 4 * count / min(pieces, 40)
         corners = gc.points_of(one)[gc.triangles_of(one)].reshape(-1, 9)
         expected = np.concatenate(
@@ -169,13 +169,13 @@ for kind, options in gc.kinds_of_files("wave").items():
     assert count == one.GetNumberOfCells()
 
     # A reader on demand, whose output is an outline.
-    reader = gc.open_file(path, OnDemand=1)
+    reader = gc.open_file(path, LargeMesh=0)
     gc.assert_same(gc.contour_of(reader, 0.4, "wave"), gc.reference(whole, 0.4, "wave"))
-    assert reader.GetDecodedChunks() == 0
+    assert gm.statistic(reader, "DecodedChunks") == 0
 
     # A region of interest: then the surface is that of what the reader gives.
-    for limits in ({"UseBox": True, "Box": (0, 0.4, 0, 0.5, 0, 1)},
-                   {"UseValueRange": True, "ValueRangeArray": "wave", "ValueRange": (0.1, 0.2)}):
+    for limits in ({"Box": (0, 0.4, 0, 0.5, 0, 1)},
+                   {"ValueRangeArray": "wave", "ValueRange": (0.1, 0.2)}):
         reader = gc.open_file(path, **limits)
         contour = gc.make_contour(reader, [0.15, 0.5], "wave")
         contour.Update()
@@ -186,14 +186,13 @@ for kind, options in gc.kinds_of_files("wave").items():
         assert contour.GetNumberOfChunks() == contour.GetNumberOfChunksUsed() == 0
         assert contour.GetBytesRead() == 0
         # Without it, the file again.
-        reader.SetUseBox(False)
-        reader.SetUseValueRange(False)
+        reader.SetBox(1, -1, 1, -1, 1, -1)
+        reader.SetValueRangeArray(None)
         contour.Update()
         gc.assert_same(contour.GetOutput(), gc.reference(whole, [0.15, 0.5], "wave"))
         assert contour.GetNumberOfChunks() == chunks and contour.GetNumberOfChunksUsed() > 0
         # And with it, in pieces, which are those of the reader; nothing is told of the file.
-        for name, value in limits.items():
-            getattr(reader, "Set" + name)(*value if isinstance(value, tuple) else (value,))
+        gm.set_options(reader, **limits)
         count = 0
         for piece in range(3):
             contour.UpdatePiece(piece, 3, 0)
@@ -218,11 +217,11 @@ for kind, options in gc.kinds_of_files("wave").items():
 
     # Another file under the same name; another name; another value.
     changed = gm.temporary("behind-changed.gtn")
-    gm.write(grid, changed, ChunkTets=500, **options)
+    gm.write(grid, changed, ChunkSize=500, **options)
     reader = gc.open_file(changed)
     contour = gc.make_contour(reader, 0.4, "wave")
     contour.Update()
-    gm.write(make_grid(0.5), changed, ChunkTets=700, **options)
+    gm.write(make_grid(0.5), changed, ChunkSize=700, **options)
     contour.SetValue(0, 0.3)
     contour.Update()
     expected = gc.reference(gm.read(changed), 0.3, "wave")
@@ -233,7 +232,7 @@ for kind, options in gc.kinds_of_files("wave").items():
 
     # Order that the file keeps makes no difference but to the corners that sections begin with.
     kept = gm.temporary("behind-kept.gtn")
-    gm.write(grid, kept, ChunkTets=500, KeepOrder=7, **options)
+    gm.write(grid, kept, ChunkSize=500, KeepOrder=7, **options)
     output = gc.contour_of(gc.open_file(kept), 0.4, "wave")
     gc.assert_same(output, gc.reference(gm.read(kept, **DECODED), 0.4, "wave"))
     assert gc.polygons(output)[0] == ours[0]
@@ -242,22 +241,21 @@ for kind, options in gc.kinds_of_files("wave").items():
     simple_bytes = []
     for levels in (0, 9):
         simple = gm.temporary("behind-simple.gtn")
-        gm.write(grid, simple, ChunkTets=500, Hierarchy=True, Levels=levels, **options)
+        gm.write(grid, simple, ChunkSize=500, Hierarchy=True, Levels=levels, **options)
         reader = gc.open_file(simple)
         contour = gc.make_contour(reader, [0.1, 0.4], "wave", ComputeNormals=True)
         counts = []
         for target in ({"SimplificationRatio": 0.3}, {"SimplificationRatio": 0.9},
                        {"SimplificationRatio": 0.98}, {"SimplificationRatio": 0.6},
-                       {"SimplificationTarget": 1, "SimplificationNumberOfPoints": 700},
-                       {"SimplificationTarget": 2, "SimplificationRMSError": 0.004},
-                       {"SimplificationTarget": 0, "SimplificationRatio": 0.0}):
-            for name, value in target.items():
-                getattr(reader, "Set" + name)(value)
+                       {"SimplificationNumberOfPoints": 700},
+                       {"SimplificationRMSError": 0.004},
+                       {"SimplificationRatio": 0.0}):
+            gm.set_options(reader, **target)
             contour.Update()
             mesh = gm.read(simple, **target)
             output = contour.GetOutput()
             gc.assert_whole(output)
-            assert reader.GetDecodedChunks() == 0
+            assert gm.statistic(reader, "DecodedChunks") == 0
             counts.append(gc.assert_same(
                 output, gc.reference(mesh, [0.1, 0.4], "wave"), skip=("Normals",)))
         assert counts[0] > 3 * counts[1] > 3 * counts[2] > 0 and counts[-1] > counts[0], counts
@@ -275,7 +273,7 @@ for kind, options in gc.kinds_of_files("wave").items():
             if output.GetNumberOfCells():
                 for p, n in zip(gc.points_of(output), vtk_to_numpy(output.GetPointData().GetNormals())):
                     assert normals[tuple(p)] == tuple(n)
-        assert found == expected and reader.GetDecodedChunks() == 0
+        assert found == expected and gm.statistic(reader, "DecodedChunks") == 0
         contour = gc.make_contour(gc.open_file(simple, SimplificationRatio=0.9), 0.4, "wave")
         contour.Update()
         simple_bytes.append(contour.GetBytesRead())
@@ -289,9 +287,8 @@ for kind, options in gc.kinds_of_files("wave").items():
         lambda index: make_grid(times[index]), times))
     writer.SetFileName(stepped)
     writer.SetWriteAllTimeSteps(True)
-    writer.SetChunkTets(500)
-    for name, value in options.items():
-        getattr(writer, "Set" + name)(value)
+    writer.SetChunkSize(500)
+    gm.set_options(writer, **options)
     assert writer.Write() == 1
     reader = gc.open_file(stepped)
     contour = gc.make_contour(reader, 0.4, "wave")
@@ -303,7 +300,7 @@ for kind, options in gc.kinds_of_files("wave").items():
         decoded = gc.open_file(stepped)
         decoded.UpdateTimeStep(time)
         seen.add(gc.assert_same(output, gc.reference(decoded.GetOutput(), 0.4, "wave")))
-        assert reader.GetDecodedChunks() == 0
+        assert gm.statistic(reader, "DecodedChunks") == 0
     assert len(seen) == 3 and min(seen) > 1000
     # Without a time, the first.
     output = gc.contour_of(gc.open_file(stepped), 0.4, "wave")

@@ -90,7 +90,7 @@ for file in files:
     sources = [(grid, grid)]
     for kind, options in gc.kinds_of_files(arrays[0][0]).items():
         path = gm.temporary("contour-real-%s.gtn" % kind)
-        gm.write(grid, path, ChunkTets=10000, Hierarchy=True, Levels=3, **options)
+        gm.write(grid, path, ChunkSize=10000, Hierarchy=True, Levels=3, **options)
         sources.append((gc.open_file(path), gm.read(path)))
         for ratio in (0.4, 0.9):
             sources.append((gc.open_file(path, SimplificationRatio=ratio),

@@ -27,8 +27,7 @@ def make_box(n=8, dtype=np.float32):
 def simplify(grid, **options):
     simplifier = vtkGatunSimplify()
     simplifier.SetInputDataObject(grid)
-    for name, value in options.items():
-        getattr(simplifier, "Set" + name)(value)
+    gm.set_options(simplifier, **options)
     simplifier.Update()
     return simplifier
 
@@ -64,8 +63,8 @@ for left in (600, 200, 50):
     ratio = 1 - left / len(points)
     counts = set()
     for options in (
-            {"SimplificationTarget": 0, "SimplificationRatio": ratio + 1e-12},
-            {"SimplificationTarget": 1, "SimplificationNumberOfPoints": left}):
+            {"SimplificationRatio": ratio + 1e-12},
+            {"SimplificationNumberOfPoints": left}):
         simplifier = simplify(grid, **options)
         output = simplifier.GetOutput()
         new_points, new_tets = arrays_of(output)
@@ -93,15 +92,15 @@ for left in (600, 200, 50):
 
     # The error that was reached, as a target, leads to the same mesh or to a coarser one of that error.
     again = simplify(
-        grid, SimplificationTarget=2, SimplificationRMSError=simplifier.GetOutputRMSError())
+        grid, SimplificationRMSError=simplifier.GetOutputRMSError())
     assert again.GetOutput().GetNumberOfPoints() <= left
     assert again.GetOutputRMSError() == simplifier.GetOutputRMSError()
-    less = simplify(grid, SimplificationTarget=2,
+    less = simplify(grid,
                     SimplificationRMSError=0.999 * simplifier.GetOutputRMSError())
     assert less.GetOutput().GetNumberOfPoints() > again.GetOutput().GetNumberOfPoints()
 
 # More points than there are: all. As far as possible: few.
-output = simplify(grid, SimplificationTarget=1, SimplificationNumberOfPoints=10 ** 9).GetOutput()
+output = simplify(grid, SimplificationNumberOfPoints=10 ** 9).GetOutput()
 assert output.GetNumberOfPoints() == len(points)
 simplifier = simplify(grid, SimplificationRatio=1)
 assert simplifier.GetOutput().GetNumberOfPoints() == len(points) - simplifier.GetMostMerges() < 20
@@ -153,7 +152,6 @@ def spread(name, axis):
     result = vtkGatunSimplify()
     result.SetInputDataObject(grid)
     result.SetArrayWeight(name, 1)
-    result.SetSimplificationTargetToNumberOfPoints()
     result.SetSimplificationNumberOfPoints(120)
     result.Update()
     left = vtk_to_numpy(result.GetOutput().GetPoints().GetData())
@@ -176,9 +174,8 @@ simplifier.SetArrayWeight("wave", -1)
 assert simplifier.GetArrayWeight("wave") == 0
 simplifier.ClearArrayWeights()
 for name, good, words in (
-        ("SimplificationRatio", 0.5, "ratio"), ("SimplificationRMSError", 1, "error"),
+        ("SimplificationRatio", 0.5, "ratio"), ("SimplificationRMSError", 0, "error"),
         ("BoundaryWeight", 0.5, "weight")):
-    simplifier.SetSimplificationTarget(2 if name == "SimplificationRMSError" else 0)
     getattr(simplifier, "Set" + name)(float("nan"))
     expect_error(simplifier, words)
     getattr(simplifier, "Set" + name)(good)

@@ -14,7 +14,7 @@ from gatun import vtkGatunContour, vtkGatunReader
 
 def kinds_of_files(array):
     """How files may be organised: settings of the writer. What is asked of one is asked of all."""
-    return {"spatial": {}, "layers": {"LayerArray": array, "NumberOfLayers": 6}}
+    return {"spatial": {}, "layers": {"Layers": (array, -1, 6)}}
 
 
 # The array that is made of a component or the length of another, for vtkContourGrid, and the one that
@@ -53,8 +53,7 @@ def contour_of(source, values, array=None, **options):
 def open_file(path, **options):
     reader = vtkGatunReader()
     reader.SetFileName(path)
-    for name, value in options.items():
-        getattr(reader, "Set" + name)(value)
+    gm.set_options(reader, **options)
     return reader
 
 

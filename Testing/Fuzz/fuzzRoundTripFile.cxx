@@ -113,7 +113,7 @@ void TakeErrors(fuzz::Input& in, Content& content)
 Content TakeContent(fuzz::Input& in)
 {
   Content content;
-  content.Options.ChunkTets = 64;
+  content.Options.ChunkSize = 64;
   content.Options.Keep = static_cast<std::uint8_t>(in.TakeUpTo(15)) & KeepAll;
   content.Options.Keep |= in.TakeBool() ? KeepAll : KeepNone;
   content.Options.KeyStepInterval = 1 + in.TakeUpTo(2);

@@ -267,7 +267,7 @@ FieldData MakeField()
 void WriteFile(const std::string& path, const test::TestMesh& mesh, std::uint8_t keep, int steps)
 {
   WriterOptions options;
-  options.ChunkTets = 64;
+  options.ChunkSize = 64;
   options.Keep = keep;
   options.KeyStepInterval = 2;
   // Few different values make a palette.
@@ -312,7 +312,7 @@ void AddMovingFiles(Corpus& corpus)
   for (const auto& mesh : { test::MakeCubes(1, 0.1), unused, test::MakeCubes(3, 0) })
   {
     WriterOptions options;
-    options.ChunkTets = 64;
+    options.ChunkSize = 64;
     options.KeyStepInterval = 2;
     options.PointsMove = true;
     {
@@ -411,7 +411,7 @@ void AddTreeFiles(Corpus& corpus)
       const auto sample = test::MakeTreeSample(n, steps);
       const auto merges = static_cast<std::uint32_t>(sample.Tree.GetMerges().size());
       WriterOptions options;
-      options.ChunkTets = 64;
+      options.ChunkSize = 64;
       options.Keep = steps == 1 ? KeepAll : KeepNone;
       std::vector<std::uint32_t> levels;
       if (merges > 3 && n < 3)
@@ -447,7 +447,7 @@ void AddLayerFiles(Corpus& corpus)
     {
       const auto sample = test::MakeTreeSample(n, 1);
       WriterOptions options;
-      options.ChunkTets = 64;
+      options.ChunkSize = 64;
       options.Layers.emplace();
       options.Layers->Component = count % 3 == 2 ? -1 : 1; // a component, or lengths
       options.Layers->Count = count;

@@ -151,7 +151,7 @@ void AddSmoothFiles(Corpus& corpus)
     {
       const auto mesh = test::MakeCubes(n, 0.1);
       WriterOptions options;
-      options.ChunkTets = 500;
+      options.ChunkSize = 500;
       if (kind != ErrorKind::None)
       {
         options.Errors.push_back({ "*", { kind, bound, n == 3 } });
@@ -170,7 +170,7 @@ void AddSeriesFiles(Corpus& corpus)
   {
     const std::array meshes{ test::MakeCubes(2, 0.1), test::MakeCubes(1, 0.2, 5) };
     WriterOptions options;
-    options.ChunkTets = 64;
+    options.ChunkSize = 64;
     options.Boundary = hasBoundary;
     options.PointsMove = hasBoundary;
     std::vector<ArrayDescription> arrays(1);
@@ -218,7 +218,7 @@ void AddDeletedCellFiles(Corpus& corpus)
   for (const std::uint8_t keep : { KeepNone, KeepAll })
   {
     WriterOptions options;
-    options.ChunkTets = 64;
+    options.ChunkSize = 64;
     options.KeyStepInterval = 2;
     options.Keep = keep;
     FileWriter writer(path, mesh.GetInput(), arrays, options);
@@ -247,7 +247,7 @@ void AddCellFiles(Corpus& corpus)
     {
       const Grid grid(n, isSheet);
       WriterOptions options;
-      options.ChunkTets = 64;
+      options.ChunkSize = 64;
       options.IsSurface = isSheet;
       options.Boundary = !isSheet;
       options.Keep = n == 1 ? KeepAll : KeepNone;

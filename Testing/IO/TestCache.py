@@ -32,22 +32,22 @@ def new_reader(size=None):
 
 def sweep(reader, ghosts):
     """Copies of all pieces, and the bytes read and the chunks decoded for them."""
-    read, decoded = reader.GetBytesRead(), reader.GetDecodedChunks()
+    read, decoded = gm.statistic(reader, "BytesRead"), gm.statistic(reader, "DecodedChunks")
     copies = []
     for piece in range(PIECES):
         reader.UpdatePiece(piece, PIECES, ghosts)
         assert reader.GetErrorCode() == 0
-        assert reader.GetCachedBytes() <= reader.GetMemoryBudget() << 20
+        assert gm.statistic(reader, "CachedBytes") <= reader.GetMemoryBudget() << 20
         copies.append(vtkUnstructuredGrid())
         copies[-1].DeepCopy(reader.GetOutput())
-    return copies, reader.GetBytesRead() - read, reader.GetDecodedChunks() - decoded
+    return copies, gm.statistic(reader, "BytesRead") - read, gm.statistic(reader, "DecodedChunks") - decoded
 
 
 assert vtkGatunReader().GetMemoryBudget() == 512
-assert vtkGatunReader().GetCachedBytes() == vtkGatunReader().GetDecodedChunks() == 0
+assert gm.statistic(vtkGatunReader(), "CachedBytes") == gm.statistic(vtkGatunReader(), "DecodedChunks") == 0
 
 for keep in (0, 7):
-    gm.write(grid, path, ChunkTets=500, KeepOrder=keep)
+    gm.write(grid, path, ChunkSize=500, KeepOrder=keep)
 
     # Ghost cells are chunks of other pieces: each is decoded once.
     reader = new_reader()
@@ -62,7 +62,7 @@ for keep in (0, 7):
     assert more[1] == 0 and more[2] == 0
     # The whole, its order and its global ids are there as well.
     reader.UpdatePiece(0, 1, 0)
-    assert reader.GetDecodedChunks() == chunks
+    assert gm.statistic(reader, "DecodedChunks") == chunks
     if keep:
         gm.assert_equal(grid, reader.GetOutput())
     else:
@@ -81,21 +81,21 @@ for keep in (0, 7):
 # A whole mesh without time steps is read past the cache, which keeps shared points only.
 reader = new_reader()
 reader.Update()
-whole = reader.GetCachedBytes()
-assert reader.GetDecodedChunks() == chunks
+whole = gm.statistic(reader, "CachedBytes")
+assert gm.statistic(reader, "DecodedChunks") == chunks
 gm.assert_equal(grid, reader.GetOutput())
 
 # Its size is not a modification, and holds at once.
 reader = new_reader()
 sweep(reader, 1)
 reader.UpdatePiece(0, 1, 0)
-time, full = reader.GetMTime(), reader.GetCachedBytes()
+time, full = reader.GetMTime(), gm.statistic(reader, "CachedBytes")
 output = reader.GetOutput().GetMTime()
 assert full > 2 << 20 and full > 10 * whole
 for size in (2, 0, -5):
     reader.SetMemoryBudget(size)
     assert reader.GetMemoryBudget() == max(0, size)
-    assert reader.GetCachedBytes() <= max(0, size) << 20
+    assert gm.statistic(reader, "CachedBytes") <= max(0, size) << 20
 reader.Update()
 assert reader.GetMTime() == time and reader.GetOutput().GetMTime() == output
 
@@ -104,17 +104,17 @@ assert reader.GetMTime() == time and reader.GetOutput().GetMTime() == output
 reader = new_reader()
 reader.SetCellArrayStatus("noise", 0)
 reader.Update()
-assert reader.GetDecodedChunks() == chunks
+assert gm.statistic(reader, "DecodedChunks") == chunks
 reader.SetPointArrayStatus("wave", 0)
 reader.Update()
-assert reader.GetDecodedChunks() == 2 * chunks
+assert gm.statistic(reader, "DecodedChunks") == 2 * chunks
 reader.SetPointArrayStatus("wave", 1)
 reader.Update()
-read, decoded = reader.GetBytesRead(), reader.GetDecodedChunks()
+read, decoded = gm.statistic(reader, "BytesRead"), gm.statistic(reader, "DecodedChunks")
 reader.SetCellArrayStatus("noise", 1)
 reader.Update()
-assert reader.GetDecodedChunks() == decoded == 2 * chunks
-noise = reader.GetBytesRead() - read
+assert gm.statistic(reader, "DecodedChunks") == decoded == 2 * chunks
+noise = gm.statistic(reader, "BytesRead") - read
 assert noise > 0
 for name in ("wave", "point"):
     reader.SetPointArrayStatus(name, 0)
@@ -122,18 +122,18 @@ reader.Update()
 for name in ("wave", "point"):
     reader.SetPointArrayStatus(name, 1)
 reader.Update()
-assert reader.GetBytesRead() - read == noise
+assert gm.statistic(reader, "BytesRead") - read == noise
 gm.assert_equal(grid, reader.GetOutput())
 
 # A file that changes: nothing of the old one is left.
 other_points, other_tets = gm.lattice(8, seed=9)
 other = gm.make_grid(other_points, other_tets)
 gm.add_array(other.GetPointData(), np.cos(5 * other_points), "wave")
-gm.write(other, path, ChunkTets=500, KeepOrder=7)
+gm.write(other, path, ChunkSize=500, KeepOrder=7)
 reader.Update()
 gm.assert_equal(other, reader.GetOutput())
-assert 0 < reader.GetDecodedChunks() <= reader.GetChunkTable().GetNumberOfRows()
-assert 0 < reader.GetCachedBytes() < full
+assert 0 < gm.statistic(reader, "DecodedChunks") <= reader.GetChunkTable().GetNumberOfRows()
+assert 0 < gm.statistic(reader, "CachedBytes") < full
 
 # So after an error.
 content = open(path, "rb").read()
@@ -141,7 +141,7 @@ errors = gm.Errors(reader)
 open(path, "wb").write(content[:len(content) // 2])
 reader.Update()
 assert reader.GetErrorCode() != 0 and str(errors)
-assert reader.GetCachedBytes() == 0
+assert gm.statistic(reader, "CachedBytes") == 0
 open(path, "wb").write(content)
 reader.Update()
 assert reader.GetErrorCode() == 0

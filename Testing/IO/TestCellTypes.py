@@ -32,14 +32,14 @@ for kind in LINEAR + list(CURVED) + [36, 41, 63, 99, 200]:
     check(zoo([kind, c.VTK_TETRA], 5, wide=False))
 everything = zoo(LINEAR + list(CURVED) + [36, 41, 99], 12)
 for chunk in (0, 64, 500):
-    check(everything, ChunkTets=chunk)
+    check(everything, ChunkSize=chunk)
 
 # The same bytes with any number of threads.
 written = set()
 threads_path = gm.temporary("threads.gtn")
 for threads in (1, 2, 3):
     vtkSMPTools.Initialize(threads)
-    gm.write(everything, threads_path, ChunkTets=200)
+    gm.write(everything, threads_path, ChunkSize=200)
     with open(threads_path, "rb") as file:
         written.add(file.read())
 assert len(written) == 1
@@ -68,7 +68,7 @@ for i, j, k in itertools.product(range(n), repeat=3):
     else:
         grid.InsertNextCell(c.VTK_HEXAHEDRON, 8, corner)
 finish(grid)
-path = check(grid, ChunkTets=600)
+path = check(grid, ChunkSize=600)
 
 reader = vtkGatunReader()
 reader.SetFileName(path)

@@ -41,33 +41,31 @@ def write(path, make=step, times=TIMES, **options):
     connect(writer, TimeSource(make, times))
     writer.SetFileName(path)
     writer.WriteAllTimeStepsOn()
-    for name, value in options.items():
-        getattr(writer, "Set" + name)(value)
+    gm.set_options(writer, **options)
     assert writer.Write() == 1
-    assert writer.GetFileBytes() == os.path.getsize(path)
+    assert gm.statistic(writer, "FileBytes") == os.path.getsize(path)
     return writer
 
 
 def open_reader(path, **options):
     reader = vtkGatunReader()
     reader.SetFileName(path)
-    for name, value in options.items():
-        getattr(reader, "Set" + name)(value)
+    gm.set_options(reader, **options)
     return reader
 
 
 path = gm.temporary("changing_meshes.gtn")
 rng = np.random.default_rng(4)
 for keep, chunk in ((7, 0), (0, 200)):
-    writer = write(path, KeepOrder=keep, ChunkTets=chunk)
-    assert writer.GetWrittenMeshes() == max(WRITTEN) + 1
-    assert writer.GetWrittenSteps() == len(TIMES)
+    writer = write(path, KeepOrder=keep, ChunkSize=chunk)
+    assert gm.statistic(writer, "Meshes") == max(WRITTEN) + 1
+    assert gm.statistic(writer, "TimeSteps") == len(TIMES)
     lattices = [LATTICES[i] for i in (0, 1, 2, 1, 2)]
-    assert writer.GetWrittenPoints() == sum(len(points) for points, _ in lattices)
-    assert writer.GetWrittenCells() == sum(len(tets) for _, tets in lattices)
+    assert gm.statistic(writer, "Points") == sum(len(points) for points, _ in lattices)
+    assert gm.statistic(writer, "Cells") == sum(len(tets) for _, tets in lattices)
     sizes = [getattr(writer, "Get" + what + "Bytes")() for what in (
         "Connectivity", "Geometry", "Order", "Array", "FieldData", "OtherMesh", "Directory")]
-    assert all(sizes[i] > 0 for i in (0, 1, 3, 4, 5, 6)) and sum(sizes) == writer.GetFileBytes()
+    assert all(sizes[i] > 0 for i in (0, 1, 3, 4, 5, 6)) and sum(sizes) == gm.statistic(writer, "FileBytes")
 
     reader = open_reader(path)
     reader.UpdateInformation()
@@ -88,10 +86,10 @@ for keep, chunk in ((7, 0), (0, 200)):
 # Steps of a mesh share its points and cells.
 reader.UpdateTimeStep(TIMES[5])
 first = reader.GetOutput().GetPoints().GetData().GetVoidPointer(0)
-decoded = reader.GetDecodedChunks()
+decoded = gm.statistic(reader, "DecodedChunks")
 reader.UpdateTimeStep(TIMES[6])
 assert reader.GetOutput().GetPoints().GetData().GetVoidPointer(0) == first
-assert reader.GetDecodedChunks() == decoded
+assert gm.statistic(reader, "DecodedChunks") == decoded
 
 # Between the times.
 for time, index in ((-100, 0), (-0.26, 1), (0, 2), (0.26, 2), (1.49, 4), (1.5, 5), (1e9, 9)):
@@ -111,7 +109,7 @@ for index in (9, 0, 4, 2):
         assert count == step(index).GetNumberOfCells()
 
 # On demand, consumers take the mesh of the time from the file; the reader gives its outline.
-demand = open_reader(path, OnDemand=vtkGatunReader.ON_DEMAND_ALWAYS)
+demand = open_reader(path, LargeMesh=0)
 for source in demand, open_reader(path):
     contour = vtkGatunContour()
     contour.SetInputConnection(source.GetOutputPort())
@@ -135,15 +133,14 @@ assert demand.GetOutput().GetNumberOfCells() == 12, "the lines of a box"
 assert np.allclose(demand.GetOutput().GetBounds(), step(5).GetBounds())
 
 # A region of interest is one of the mesh of the step.
-reader.UseBoxOn()
 reader.SetBox(0, 0.2, 0, 0.2, 0, 0.2)
 for index in (0, 2, 5):
     reader.UpdateTimeStep(TIMES[index])
     assert 0 < reader.GetOutput().GetNumberOfCells() < step(index).GetNumberOfCells()
-reader.UseBoxOff()
+reader.SetBox(1, -1, 1, -1, 1, -1)
 
 # Each mesh has a hierarchy of its own, and a boundary.
-write(path, Hierarchy=True, WriteBoundary=True, ChunkTets=300)
+write(path, Hierarchy=True, WriteBoundary=True, ChunkSize=300)
 for make in vtkGatunSimplify, None:
     reader = open_reader(path)
     if make:
@@ -157,7 +154,7 @@ for make in vtkGatunSimplify, None:
         assert last.GetErrorCode() == 0
         grid = last.GetOutputDataObject(0)
         assert abs(grid.GetNumberOfPoints() / step(index).GetNumberOfPoints() - 0.5) < 0.02
-demand = open_reader(path, OnDemand=vtkGatunReader.ON_DEMAND_ALWAYS)
+demand = open_reader(path, LargeMesh=0)
 for index in (0, 5, 8):
     demand.UpdateTimeStep(TIMES[index])
     faces = demand.GetOutput()
@@ -165,7 +162,7 @@ for index in (0, 5, 8):
     assert faces.GetNumberOfCells() == 12 * n ** 2, "the boundary of a lattice"
 
 # Layers, by the values of the first step of each mesh.
-write(path, LayerArray="wave", NumberOfLayers=4)
+write(path, Layers=("wave", -1, 4))
 reader = open_reader(path)
 for index in (8, 1, 5):
     reader.UpdateTimeStep(TIMES[index])
@@ -194,16 +191,16 @@ def hexahedra(index):
     return grid
 
 
-assert write(path, hexahedra, TIMES[:4], KeepOrder=7).GetWrittenMeshes() == 2
+assert gm.statistic(write(path, hexahedra, TIMES[:4], KeepOrder=7), "Meshes") == 2
 reader = open_reader(path)
 for index in (0, 3, 1, 2):
     reader.UpdateTimeStep(TIMES[index])
     gm.assert_equal(hexahedra(index), reader.GetOutput())
 
 # A series that returns to one mesh is hardly larger than one that stays.
-stays = write(gm.temporary("stays.gtn"), lambda i: step(0 if i < 5 else 1)).GetFileBytes()
+stays = gm.statistic(write(gm.temporary("stays.gtn"), lambda i: step(0 if i < 5 else 1)), "FileBytes")
 back = write(path, lambda i: step((0, 5)[i % 2]))
-assert back.GetWrittenMeshes() == 2
+assert gm.statistic(back, "Meshes") == 2
 again = open_reader(path)
 for index in range(len(TIMES)):
     again.UpdateTimeStep(TIMES[index])

@@ -72,7 +72,7 @@ source = Source()
 writer = vtkGatunWriter()
 writer.SetInputConnection(source.GetOutputPort())
 writer.SetFileName(path)
-writer.SetChunkTets(100)
+writer.SetChunkSize(100)
 writer.WriteAllTimeStepsOn()
 assert writer.Write() == 1
 

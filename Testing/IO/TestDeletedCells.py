@@ -49,19 +49,17 @@ def write(path, make, times=TIMES, **options):
     writer.SetFileName(path)
     writer.WriteAllTimeStepsOn()
     for error in options.pop("errors", ()):
-        writer.AddError(error)
-    for name, value in options.items():
-        getattr(writer, "Set" + name)(value)
+        gm.set_tolerance(writer, error)
+    gm.set_options(writer, **options)
     assert writer.Write() == 1
-    assert writer.GetFileBytes() == os.path.getsize(path)
+    assert gm.statistic(writer, "FileBytes") == os.path.getsize(path)
     return writer
 
 
 def open_reader(path, **options):
     reader = vtkGatunReader()
     reader.SetFileName(path)
-    for name, value in options.items():
-        getattr(reader, "Set" + name)(value)
+    gm.set_options(reader, **options)
     return reader
 
 
@@ -102,10 +100,10 @@ for drops, moves, keep, chunk in ((False, False, 7, 150), (True, False, 7, 150),
                                   (False, True, 0, 0), (False, True, 7, 200)):
     places_of = [places(step, moves) for step in range(len(FRONTS))]
     steps = [dying(i, drops, moves) for i in range(len(FRONTS))]
-    writer = write(path, lambda i: steps[i], KeepOrder=keep, ChunkTets=chunk)
-    assert writer.GetWrittenMeshes() == 1 and writer.GetWrittenSteps() == len(TIMES)
-    assert writer.GetWrittenCells() == len(TETS) and writer.GetOtherMeshBytes() == 0
-    sizes[drops, moves, keep, chunk] = writer.GetFileBytes()
+    writer = write(path, lambda i: steps[i], KeepOrder=keep, ChunkSize=chunk)
+    assert gm.statistic(writer, "Meshes") == 1 and gm.statistic(writer, "TimeSteps") == len(TIMES)
+    assert gm.statistic(writer, "Cells") == len(TETS) and gm.statistic(writer, "OtherMeshBytes") == 0
+    sizes[drops, moves, keep, chunk] = gm.statistic(writer, "FileBytes")
     for budget in (512, 0):
         reader = open_reader(path, MemoryBudget=budget)
         for step in [*range(len(FRONTS)), *rng.permutation(len(FRONTS))]:
@@ -123,7 +121,7 @@ for drops, moves, keep, chunk in ((False, False, 7, 150), (True, False, 7, 150),
         check_pieces(reader, step, steps[step])
 
     # On demand, and in a program of filters.
-    demand = open_reader(path, OnDemand=vtkGatunReader.ON_DEMAND_ALWAYS)
+    demand = open_reader(path, LargeMesh=0)
     for source in demand, open_reader(path):
         contour = vtkGatunContour()
         contour.SetInputConnection(source.GetOutputPort())
@@ -147,14 +145,13 @@ for drops, moves, keep, chunk in ((False, False, 7, 150), (True, False, 7, 150),
     assert demand.GetIsOnDemand()
 
     # A region of interest has remaining cells only.
-    reader.UseBoxOn()
     reader.SetBox(0, 0.2, 0, 2, 0, 2)
     for step in (0, 2, 3):
         reader.UpdateTimeStep(TIMES[step])
         values = set(vtk_to_numpy(reader.GetOutput().GetCellData().GetArray("cell")))
         assert values <= set(vtk_to_numpy(steps[step].GetCellData().GetArray("cell")))
         assert len(values) < len(TETS) or not chunk  # of one chunk
-    reader.UseBoxOff()
+    reader.SetBox(1, -1, 1, -1, 1, -1)
 
     # What is left can be simplified.
     simplify = vtkGatunSimplify()
@@ -168,8 +165,8 @@ for drops, moves, keep, chunk in ((False, False, 7, 150), (True, False, 7, 150),
         assert abs(ratio - 0.5) < 0.15
 
 # Values have an error, the cells have not. Dead cells do not count for ranges.
-write(path, lambda i: dying(i, True), errors=["wave=abs:0.01"], ChunkTets=150)
-reader = open_reader(path, OnDemand=vtkGatunReader.ON_DEMAND_ALWAYS)
+write(path, lambda i: dying(i, True), errors=["wave=abs:0.01"], ChunkSize=150)
+reader = open_reader(path, LargeMesh=0)
 whole = open_reader(path)
 for step in (0, 5, 4):
     whole.UpdateTimeStep(TIMES[step])
@@ -211,8 +208,8 @@ def other(step, drops=False):
 
 for drops in (False, True):
     for keep in (7, 0):
-        writer = write(path, lambda i: other(i, drops), KeepOrder=keep, ChunkTets=100)
-        assert writer.GetWrittenMeshes() == 1
+        writer = write(path, lambda i: other(i, drops), KeepOrder=keep, ChunkSize=100)
+        assert gm.statistic(writer, "Meshes") == 1
         reader, split = open_reader(path), open_reader(path, SplitCells=True)
         for step in (0, 3, 8, 5, 7):
             reader.UpdateTimeStep(TIMES[step])
@@ -239,19 +236,19 @@ def shuffled(step):
     return dying(step, tets=TETS[order], centers=CENTERS[order]) if step % 2 else dying(step)
 
 
-assert write(path, shuffled).GetWrittenMeshes() == 2  # each order has masks of its own
+assert gm.statistic(write(path, shuffled), "Meshes") == 2  # each order has masks of its own
 reader = open_reader(path)
 for step in range(len(FRONTS)):
     reader.UpdateTimeStep(TIMES[step])
     assert reader.GetOutput().GetNumberOfCells() == dying(step).GetNumberOfCells()
-assert write(path, dying, Hierarchy=True).GetWrittenMeshes() == 6
-assert write(path, dying, WriteBoundary=True).GetWrittenMeshes() == 6
+assert gm.statistic(write(path, dying, Hierarchy=True), "Meshes") == 6
+assert gm.statistic(write(path, dying, WriteBoundary=True), "Meshes") == 6
 reader = open_reader(path)
 for step in (0, 5, 4):
     reader.UpdateTimeStep(TIMES[step])
     gm.assert_same_mesh(dying(step), reader.GetOutput())
 FRONTS[8] = 0.7  # fewer than half of the cells
-assert write(path, dying).GetWrittenMeshes() == 2
+assert gm.statistic(write(path, dying), "Meshes") == 2
 reader = open_reader(path)
 for step in (8, 0, 5):
     reader.UpdateTimeStep(TIMES[step])

@@ -22,9 +22,9 @@ simplifier.SetInputDataObject(grid)
 
 
 def simplified(**options):
-    simplifier.SetSimplificationTarget(0)
-    for name, value in options.items():
-        getattr(simplifier, "Set" + name)(value)
+    simplifier.SetSimplificationNumberOfPoints(0)
+    simplifier.SetSimplificationRMSError(0)
+    gm.set_options(simplifier, **options)
     simplifier.Update()
     return simplifier.GetOutput()
 
@@ -36,29 +36,30 @@ def numbers(data, name):
 kept = gm.temporary("kept.gtn")
 plain = gm.temporary("plain.gtn")
 levels = gm.temporary("levels.gtn")
-gm.write(grid, kept, KeepOrder=7, ChunkTets=1000, Hierarchy=True)
-gm.write(grid, plain, ChunkTets=1000, Hierarchy=True)
-gm.write(grid, levels, ChunkTets=1000, Hierarchy=True, Levels=9)
+gm.write(grid, kept, KeepOrder=7, ChunkSize=1000, Hierarchy=True)
+gm.write(grid, plain, ChunkSize=1000, Hierarchy=True)
+gm.write(grid, levels, ChunkSize=1000, Hierarchy=True, Levels=9)
 
-# Dependencies between merges are stored unless they are not wanted.
-without = gm.temporary("without.gtn")
-writers = [gm.write(grid, path, ChunkTets=1000, Hierarchy=True, WriteDependencies=dependencies)
-           for path, dependencies in ((plain, True), (without, False))]
-assert writers[0].GetDependencyBytes() > 0 and writers[1].GetDependencyBytes() == 0
-assert writers[0].GetHierarchyBytes() == writers[1].GetHierarchyBytes()
-assert writers[0].GetFileBytes() - writers[1].GetFileBytes() > writers[0].GetDependencyBytes()
-for writer in writers:
-    parts = ("Connectivity", "Geometry", "Order", "Array", "FieldData", "Hierarchy", "Dependency",
-             "Level", "Boundary", "Directory")
-    assert sum(getattr(writer, f"Get{part}Bytes")() for part in parts) == writer.GetFileBytes()
+# Dependencies between merges are stored with them.
+writer = gm.write(grid, plain, ChunkSize=1000, Hierarchy=True)
+assert gm.statistic(writer, "DependencyBytes") > 0
+parts = ("Connectivity", "Geometry", "Order", "Array", "FieldData", "Hierarchy", "Dependency",
+         "Level", "Boundary", "Directory")
+assert sum(gm.statistic(writer, part + "Bytes") for part in parts) == gm.statistic(writer, "FileBytes")
 alone = gm.temporary("alone.gtn")
-assert gm.write(grid, alone, ChunkTets=1000).GetDependencyBytes() == 0  # there is no hierarchy
+assert gm.statistic(gm.write(grid, alone, ChunkSize=1000), "DependencyBytes") == 0  # there is no hierarchy
+
+# The error goes before the number of points, and that before the ratio.
+assert simplified(SimplificationRatio=0.9, SimplificationNumberOfPoints=700).GetNumberOfPoints() == 700
+by_error = simplified(SimplificationRMSError=0.004)
+both = simplified(SimplificationRatio=0.9, SimplificationNumberOfPoints=700, SimplificationRMSError=0.004)
+gm.assert_same_mesh(both, by_error)
 
 # Every target, from every file; in the original order where the file keeps it.
 TARGETS = (
     {"SimplificationRatio": 0.3}, {"SimplificationRatio": 0.9}, {"SimplificationRatio": 1},
-    {"SimplificationTarget": 1, "SimplificationNumberOfPoints": 700},
-    {"SimplificationTarget": 2, "SimplificationRMSError": 0.004},
+    {"SimplificationNumberOfPoints": 700},
+    {"SimplificationRMSError": 0.004},
 )
 for target in TARGETS:
     expected = simplified(**target)
@@ -67,12 +68,11 @@ for target in TARGETS:
     np.testing.assert_array_equal(gm.coordinates(got), gm.coordinates(expected))
     gm.assert_same_arrays(got.GetPointData(), expected.GetPointData())
     gm.assert_same_arrays(got.GetCellData(), expected.GetCellData())
-    for path in (kept, plain, levels, without):
+    for path in (kept, plain, levels):
         gm.assert_same_mesh(gm.read(path, **target), expected)
 
 # More points than there are, or nothing to do: the mesh.
-for options in ({"SimplificationTarget": 1, "SimplificationNumberOfPoints": 10 ** 9},
-                {"SimplificationTarget": 2}, {}):
+for options in ({"SimplificationNumberOfPoints": 10 ** 9}, {"SimplificationRMSError": 1e-300}, {}):
     gm.assert_same_mesh(gm.read(plain, **options), grid)
 
 # One reader, to and fro, reads no more than it must.
@@ -82,16 +82,16 @@ reader.UpdateInformation()
 assert reader.GetHasHierarchy()
 reader.SetSimplificationRatio(0.6)
 reader.Update()
-few = reader.GetDecodedChunks()
-bytes_read = reader.GetBytesRead()
+few = gm.statistic(reader, "DecodedChunks")
+bytes_read = gm.statistic(reader, "BytesRead")
 gm.assert_same_mesh(reader.GetOutput(), simplified(SimplificationRatio=0.6))
 reader.SetSimplificationRatio(0.7)  # from the same base mesh, which is kept
 reader.Update()
-assert reader.GetDecodedChunks() == few
+assert gm.statistic(reader, "DecodedChunks") == few
 gm.assert_same_mesh(reader.GetOutput(), simplified(SimplificationRatio=0.7))
 reader.SetSimplificationRatio(0)
 reader.Update()
-assert reader.GetDecodedChunks() > 2 * few and reader.GetBytesRead() > 2 * bytes_read
+assert gm.statistic(reader, "DecodedChunks") > 2 * few and gm.statistic(reader, "BytesRead") > 2 * bytes_read
 gm.assert_same_mesh(reader.GetOutput(), grid)
 
 # Pieces fit together, with ghost cells around them.
@@ -112,7 +112,6 @@ np.testing.assert_array_equal(np.sort(ids), np.sort(expected))
 reader = vtkGatunReader()
 reader.SetFileName(plain)
 reader.SetSimplificationRatio(0.8)
-reader.SetUseBox(True)
 reader.SetBox(0, 0.2, 0, 0.2, 0, 0.2)
 reader.Update()
 got = set(numbers(reader.GetOutput().GetCellData(), "cell id"))
@@ -125,7 +124,6 @@ assert wanted and wanted <= got
 # Large meshes on demand, unless they are simplified enough.
 reader = vtkGatunReader()
 reader.SetFileName(plain)
-reader.SetOnDemand(2)
 reader.SetLargeMesh(10000)
 reader.UpdateInformation()
 assert reader.GetIsOnDemand()
@@ -145,7 +143,7 @@ def expect_error(path, words, **options):
     assert failing.GetOutput().GetNumberOfCells() == 0
     # Asked for something else, the same reader works.
     errors.messages.clear()
-    failing.SetSimplificationTarget(0)
+    failing.SetSimplificationRMSError(0)
     failing.SetSimplificationRatio(0)
     failing.Update()
     assert failing.GetErrorCode() == 0 and not errors.messages
@@ -157,14 +155,13 @@ gm.write(grid, without)
 expect_error(without, "there is no hierarchy in the file; make one with gtn pack --hierarchy",
              SimplificationRatio=0.5)
 expect_error(plain, "the ratio must be from 0 to 1", SimplificationRatio=float("nan"))
-expect_error(plain, "the RMS error must be 0 or more", SimplificationTarget=2,
+expect_error(plain, "the RMS error must be 0 or more",
              SimplificationRMSError=float("nan"))
 reader = vtkGatunReader()
 for name, value, clamped in (
         ("SimplificationRatio", -0.1, 0), ("SimplificationRatio", 1.5, 1),
-        ("SimplificationNumberOfPoints", -5, 0), ("SimplificationRMSError", -1, 0),
-        ("SimplificationTarget", 3, 2)):
-    getattr(reader, "Set" + name)(value)
+        ("SimplificationNumberOfPoints", -5, 0), ("SimplificationRMSError", -1, 0)):
+    getattr(reader, "Set" + name)(*(value if isinstance(value, tuple) else (value,)))
     assert getattr(reader, "Get" + name)() == clamped, name
 
 # Meshes that cannot be simplified have a hierarchy without merges.

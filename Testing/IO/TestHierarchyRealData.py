@@ -27,7 +27,7 @@ for file in files:
     simplify = vtkGatunSimplify()
     simplify.SetInputDataObject(grid)
     points = grid.GetNumberOfPoints()
-    gm.write(grid, path, ChunkTets=20000, KeepOrder=7, Hierarchy=True)
+    gm.write(grid, path, ChunkSize=20000, KeepOrder=7, Hierarchy=True)
     kept = vtkGatunReader()
     kept.SetFileName(path)
     for ratio in (1e-4, 0.1, 0.5, 0.9, 0.99, 1):
@@ -46,7 +46,7 @@ for file in files:
     simplify.SetSimplificationRatio(0.8)
     simplify.Update()
     expected = np.sort(gm.values_of(simplify.GetOutput().GetCellData().GetArray("cell id")).ravel())
-    gm.write(grid, path, ChunkTets=5000, Hierarchy=True, Levels=8)
+    gm.write(grid, path, ChunkSize=5000, Hierarchy=True, Levels=8)
     plain = vtkGatunReader()
     plain.SetFileName(path)
     plain.SetSimplificationRatio(0.8)

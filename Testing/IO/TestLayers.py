@@ -37,10 +37,10 @@ assert defaults.GetLayerSpacing() == vtkGatunWriter.LAYERS_HISTOGRAM
 # Whole: bit for bit what was written.
 path = gm.temporary("io-layers.gtn")
 plain = gm.temporary("io-layers-plain.gtn")
-gm.write(grid, plain, ChunkTets=800)
+gm.write(grid, plain, ChunkSize=800)
 for spacing in (1, 2, 3):
-    for options in ({"NumberOfLayers": 6}, {"LayerArray": "vector", "LayerComponent": 1}):
-        options = {"LayerArray": "wave", "LayerSpacing": spacing, "ChunkTets": 800, **options}
+    for layers in (("wave", -1, 6, spacing), ("vector", 1, 0, spacing)):
+        options = {"Layers": layers, "ChunkSize": 800}
         gm.write(grid, path, KeepOrder=7, **options)
         gm.assert_equal(gm.read(path), grid)
         gm.write(grid, path, **options)
@@ -49,7 +49,7 @@ for spacing in (1, 2, 3):
             assert one.read() != other.read()
 
 # An empty name is none: the very bytes of a file without.
-gm.write(grid, path, LayerArray="", ChunkTets=800)
+gm.write(grid, path, Layers="", ChunkSize=800)
 with open(path, "rb") as one, open(plain, "rb") as other:
     assert one.read() == other.read()
 
@@ -72,7 +72,7 @@ def values_in_piece(name, piece, pieces, ghosts):
 
 
 # In pieces, with ghosts: each cell and point owned once, and around each piece all that touches it.
-gm.write(grid, path, LayerArray="wave", NumberOfLayers=6, ChunkTets=800)
+gm.write(grid, path, Layers=("wave", -1, 6), ChunkSize=800)
 cells, nodes = [], []
 for piece in range(5):
     owned_cells, owned_points, all_cells = values_in_piece(path, piece, 5, 1)
@@ -88,8 +88,8 @@ assert of_first.max() - of_first.min() < 0.75 * (wave.max() - wave.min())
 
 # Simplified: the very mesh of the file without layers, base meshes or not.
 for levels in (0, 3):
-    for options, name in (({"LayerArray": "wave"}, path), ({}, plain)):
-        gm.write(grid, name, KeepOrder=7, ChunkTets=800, Hierarchy=True, Levels=levels, **options)
+    for options, name in (({"Layers": "wave"}, path), ({}, plain)):
+        gm.write(grid, name, KeepOrder=7, ChunkSize=800, Hierarchy=True, Levels=levels, **options)
     for ratio in (0.3, 0.8):
         one, other = (gm.read(name, SimplificationRatio=ratio) for name in (path, plain))
         assert 0 < one.GetNumberOfPoints() < 0.71 * len(points)
@@ -102,8 +102,8 @@ connect(writer, TimeSource(make, TIMES))
 writer.SetFileName(path)
 writer.WriteAllTimeStepsOn()
 writer.SetKeepOrder(7)
-writer.SetChunkTets(800)
-writer.SetLayerArray("wave")
+writer.SetChunkSize(800)
+writer.SetLayers("wave")
 assert writer.Write() == 1
 reader = vtkGatunReader()
 reader.SetFileName(path)
@@ -120,8 +120,8 @@ def expect_error(text, **options):
     writer = vtkGatunWriter()
     writer.SetInputDataObject(grid)
     writer.SetFileName(gm.temporary("io-layers-never.gtn"))
-    for name, value in options.items():
-        getattr(writer, "Set" + name)(value)
+    writer.GetPointDataArraySelection().SetUnknownArraySetting(options.pop("unlisted", 1))
+    gm.set_options(writer, **options)
     errors = gm.Errors(writer)
     assert writer.Write() == 0
     assert writer.GetErrorCode() == vtkGatunErrorCode.InvalidInputError != vtkErrorCode.NoError
@@ -129,9 +129,9 @@ def expect_error(text, **options):
     assert not os.path.exists(writer.GetFileName())
 
 
-expect_error("there is no point array 'waves' to make layers of", LayerArray="waves")
-expect_error("layers need a point array, and 'cell id' is one of cells", LayerArray="cell id")
-expect_error("array 'wave' has no component 1 to make layers of", LayerArray="wave", LayerComponent=1)
-expect_error("array 'vector' has no component 3", LayerArray="vector", LayerComponent=3)
+expect_error("there is no point array 'waves' to make layers of", Layers="waves")
+expect_error("layers need a point array, and 'cell id' is one of cells", Layers="cell id")
+expect_error("array 'wave' has no component 1 to make layers of", Layers=("wave", 1))
+expect_error("array 'vector' has no component 3", Layers=("vector", 3))
 # Those that are not written cannot be layers either.
-expect_error("there is no point array 'wave'", LayerArray="wave", WriteUnlistedArrays=False)
+expect_error("there is no point array 'wave'", Layers="wave", unlisted=0)

@@ -107,7 +107,7 @@ whole = gm.make_grid(np.concatenate([points, points]), np.concatenate([tets, tet
 gm.add_array(whole.GetPointData(), np.arange(2 * len(points)), "point")
 gm.add_array(whole.GetCellData(), np.arange(2 * len(tets)), "cell")
 path = gm.temporary("pieces-to-merge.gtn")
-gm.write(whole, path, ChunkTets=200)
+gm.write(whole, path, ChunkSize=200)
 for ghosts in (0, 1):
     pieces = []
     collection = vtkPartitionedDataSet()

@@ -48,9 +48,8 @@ def write(make, **options):
     writer = vtkGatunWriter()
     writer.SetFileName(path)
     writer.WriteAllTimeStepsOn()
-    writer.SetChunkTets(300)
-    for name, value in options.items():
-        getattr(writer, "Set" + name)(value)
+    writer.SetChunkSize(300)
+    gm.set_options(writer, **options)
     connect(writer, TimeSource(make, TIMES))
     return writer
 
@@ -58,8 +57,7 @@ def write(make, **options):
 def open_reader(**options):
     reader = vtkGatunReader()
     reader.SetFileName(path)
-    for name, value in options.items():
-        getattr(reader, "Set" + name)(value)
+    gm.set_options(reader, **options)
     return reader
 
 
@@ -74,7 +72,7 @@ def same_bits(one, other):
 rng = np.random.default_rng(5)
 for dtype in (np.float32, np.float64):
     writer = write(lambda step, kind=dtype: grid_at(step, kind), KeepOrder=7)
-    assert writer.Write() == 1 and writer.GetWrittenSteps() == STEPS
+    assert writer.Write() == 1 and gm.statistic(writer, "TimeSteps") == STEPS
     reader = open_reader(RestoreOrder=True)
     reader.UpdateInformation()
     assert np.array_equal(reader.GetOutputInformation(0).Get(pipeline.TIME_STEPS()), TIMES)
@@ -121,7 +119,7 @@ for step in (49, 0, 20):
     now[~np.isfinite(now)] = 1e9
     center = now[1000 % len(now)]
     box = np.stack((center - 0.05, center + 0.05), 1).ravel()
-    reader = open_reader(UseBox=True, Box=box)
+    reader = open_reader(Box=box)
     reader.UpdateInformation()
     reader.UpdateTimeStep(TIMES[step])
     output = reader.GetOutput()
@@ -142,7 +140,7 @@ table = vtk_to_numpy(reader.GetChunkTable().GetColumnByName("Bounds"))
 assert np.array_equal(np.stack((table[:, ::2].min(0), table[:, 1::2].max(0)), 1).ravel(), bounds)
 
 # The outline on demand is that of the step.
-reader = open_reader(OnDemand=True)
+reader = open_reader(LargeMesh=0)
 for step in (0, 33, 12):
     reader.UpdateTimeStep(TIMES[step])
     now = places(step, np.float64)
@@ -162,7 +160,7 @@ for step in (0, 41, 17, 3):
     assert same_bits(raw(output), places(step, np.float64)[numbers]), step
 
 # The boundary on demand.
-reader = open_reader(OnDemand=True)
+reader = open_reader(LargeMesh=0)
 for step in (0, 41, 17, 3):
     reader.UpdateTimeStep(TIMES[step])
     output = reader.GetOutput()
@@ -175,9 +173,9 @@ for step in (0, 41, 17, 3):
 exact = write(lambda step: gm.make_grid(places(step % 3, np.float64), tets), KeepOrder=7)
 assert exact.Write() == 1
 rounded = write(lambda step: gm.make_grid(places(step % 3, np.float64), tets), KeepOrder=7,
-                PointError=1e-4)
+                PointTolerance=(1, 1e-4))
 assert rounded.Write() == 1
-assert rounded.GetGeometryBytes() < 0.7 * exact.GetGeometryBytes()
+assert gm.statistic(rounded, "GeometryBytes") < 0.7 * gm.statistic(exact, "GeometryBytes")
 reader = open_reader(RestoreOrder=True)
 for step in range(4):
     reader.UpdateTimeStep(TIMES[step])

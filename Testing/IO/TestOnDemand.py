@@ -44,7 +44,7 @@ def make_file(name):
     grid.GetPointData().SetActiveScalars("float")
     grid.GetPointData().SetActiveGlobalIds("ids")
     path = gm.temporary(name)
-    gm.write(grid, path, ChunkTets=500)
+    gm.write(grid, path, ChunkSize=500)
     return path
 
 
@@ -78,17 +78,16 @@ def ranges(array, length):
 
 path = make_file("on-demand.gtn")
 mesh = read(path)
-outline = read(path, OnDemand=1)
+outline = read(path, LargeMesh=0)
 
 # When there is an outline.
-assert mesh.GetOnDemand() == 0 and mesh.GetLargeMesh() == 5000000
+assert mesh.GetLargeMesh() == -1
 assert not is_outline(mesh) and is_outline(outline)
-assert not is_outline(read(path, OnDemand=2))
-assert not is_outline(read(path, OnDemand=2, LargeMesh=len(tets)))
-assert is_outline(read(path, OnDemand=2, LargeMesh=len(tets) - 1))
+assert not is_outline(read(path, LargeMesh=len(tets)))
+assert is_outline(read(path, LargeMesh=len(tets) - 1))
 assert not vtkGatunReader().GetIsOnDemand()
 fresh = vtkGatunReader()
-fresh.SetOnDemand(1)
+fresh.SetLargeMesh(0)
 assert not fresh.GetIsOnDemand()  # no file yet
 
 # The same bounds and ranges as the mesh, and the same types and names.
@@ -121,14 +120,14 @@ assert few.GetPointData().GetGlobalIds() is None
 tables = vtkGatunReader()
 tables.SetFileName(path)
 tables.UpdateInformation()
-assert outline.GetBytesRead() == tables.GetBytesRead() < os.path.getsize(path) / 2
-assert outline.GetDecodedChunks() == 0 and outline.GetCachedBytes() == 0
-assert mesh.GetBytesRead() > outline.GetBytesRead()
+assert gm.statistic(outline, "BytesRead") == gm.statistic(tables, "BytesRead") < os.path.getsize(path) / 2
+assert gm.statistic(outline, "DecodedChunks") == 0 and gm.statistic(outline, "CachedBytes") == 0
+assert gm.statistic(mesh, "BytesRead") > gm.statistic(outline, "BytesRead")
 
 # Only selected arrays.
 chosen = vtkGatunReader()
 chosen.SetFileName(path)
-chosen.SetOnDemand(1)
+chosen.SetLargeMesh(0)
 chosen.UpdateInformation()
 chosen.GetPointDataArraySelection().DisableAllArrays()
 chosen.SetPointArrayStatus("plain", 1)
@@ -145,28 +144,28 @@ for piece in range(3):
     assert grid.GetInformation().Has(vtkGatunReader.ON_DEMAND())
 
 # A region of interest is a mesh, and switching leads to and fro.
-reader = read(path, OnDemand=1)
-reader.SetBox(0, 0.2, 0, 0.2, 0, 0.2)
-for option in ("UseBox", "UseValueRange"):
-    getattr(reader, "Set" + option)(True)
+reader = read(path, LargeMesh=0)
+for option, region, none in (("Box", (0, 0.2, 0, 0.2, 0, 0.2), (1, -1, 1, -1, 1, -1)),
+                             ("ValueRangeArray", "plain", "")):
+    gm.set_options(reader, **{option: region})
     reader.Update()
     assert not is_outline(reader)
-    getattr(reader, "Set" + option)(False)
+    gm.set_options(reader, **{option: none})
     reader.Update()
     assert is_outline(reader)
-reader.SetOnDemand(0)
+reader.SetLargeMesh(-1)
 reader.Update()
 assert not is_outline(reader)
 assert reader.GetOutput().GetNumberOfCells() == len(tets)
-assert reader.GetCachedBytes() > 0
-reader.SetOnDemand(1)
+assert gm.statistic(reader, "CachedBytes") > 0
+reader.SetLargeMesh(0)
 reader.Update()
-assert is_outline(reader) and reader.GetCachedBytes() == 0
+assert is_outline(reader) and gm.statistic(reader, "CachedBytes") == 0
 
 # A file that changes.
 small = gm.make_grid(points * 2, tets)
 gm.add_array(small.GetPointData(), points[:, 0], "plain")
-gm.write(small, path, ChunkTets=500)
+gm.write(small, path, ChunkSize=500)
 reader.Update()
 assert reader.GetOutput().GetBounds() == (0, 2, 0, 2, 0, 2)
 assert reader.GetOutput().GetPointData().GetNumberOfArrays() == 1
@@ -185,7 +184,7 @@ connect(writer, TimeSource(step, [0.0, 1.0, 2.0]))
 writer.SetFileName(moving)
 writer.SetWriteAllTimeSteps(True)
 writer.Update()
-reader = read(moving, OnDemand=1)
+reader = read(moving, LargeMesh=0)
 assert reader.GetOutputInformation(0).Length(pipeline.TIME_STEPS()) == 3
 for time, index in ((2.0, 2), (0.0, 0), (1.7, 1), (-3, 0), (9, 2)):
     reader.UpdateTimeStep(time)
@@ -194,10 +193,10 @@ for time, index in ((2.0, 2), (0.0, 0), (1.7, 1), (-3, 0), (9, 2)):
     assert grid.GetInformation().Get(vtkDataObject.DATA_TIME_STEP()) == index
     assert grid.GetPointData().GetArray("ramp").GetRange() == (0, index + 1)
     assert grid.GetFieldData().GetArray("index").GetValue(0) == index
-assert reader.GetDecodedChunks() == 0
+assert gm.statistic(reader, "DecodedChunks") == 0
 
 # Meshes without cells, and without anything.
 for empty, count in ((gm.make_grid(points[:0], tets[:0]), 0), (gm.make_grid(points, tets[:0]), 8)):
     gm.write(empty, path)
-    reader = read(path, OnDemand=1)
+    reader = read(path, LargeMesh=0)
     assert reader.GetOutput().GetNumberOfPoints() == count, reader.GetOutput().GetBounds()

@@ -35,8 +35,7 @@ def written(grid, *warnings, **options):
     writer.SetInputDataObject(grid)
     writer.SetFileName(path)
     writer.SetKeepOrderToAll()
-    for name, value in options.items():
-        getattr(writer, "Set" + name)(value)
+    gm.set_options(writer, **options)
     assert writer.Write() == 1
     assert len(texts.messages) == len(warnings), str(texts)
     for text in warnings:

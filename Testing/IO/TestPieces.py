@@ -64,7 +64,7 @@ def boundary(grid_or_tets):
 
 turned = gm.turned(tets)
 for keep in (0, 7):
-    writer = gm.write(grid, path, KeepOrder=keep, ChunkTets=300)
+    writer = gm.write(grid, path, KeepOrder=keep, ChunkSize=300)
     reader = vtkGatunReader()
     reader.SetFileName(path)
     reader.UpdateInformation()
@@ -215,7 +215,7 @@ gm.add_array(grid.GetCellData(), flags, "vtkGhostType")
 flags = np.zeros(len(points), np.uint8)
 flags[9] = vtkDataSetAttributes.HIDDENPOINT
 gm.add_array(grid.GetPointData(), flags, "vtkGhostType")
-gm.write(grid, path, ChunkTets=300)
+gm.write(grid, path, ChunkSize=300)
 gm.assert_same_mesh(grid, gm.read(path))
 reader = vtkGatunReader()
 reader.SetFileName(path)

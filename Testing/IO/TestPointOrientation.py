@@ -46,8 +46,7 @@ def refused(grid, **options):
     errors = gm.Errors(writer)
     writer.SetInputDataObject(grid)
     writer.SetFileName(path)
-    for name, value in options.items():
-        getattr(writer, "Set" + name)(value)
+    gm.set_options(writer, **options)
     assert writer.Write() == 0, options
     return str(errors)
 
@@ -58,7 +57,7 @@ def check(points, tets, error, **options):
     back = gm.coordinates(gm.read(path))
     differences = np.abs(back.astype(float) - points.astype(float))
     assert differences.max() <= error, (differences.max(), error)
-    assert writer.GetWrittenPointError() == differences.max() > 0
+    assert gm.statistic(writer, "PointError") == differences.max() > 0
     assert signs(back, tets) == signs(points, tets)
     return back
 
@@ -74,14 +73,14 @@ for dtype in (np.float32, np.float64):
     step = 2.0 ** -10
     plain = np.round(thin.astype(float) / step) * step
     assert signs(plain, tets) != signs(thin, tets)  # the test is one
-    back = check(thin, tets, step / 2, PointError=step / 2)
+    back = check(thin, tets, step / 2, PointTolerance=(1, step / 2))
     fine = (np.mod(back.astype(float), step) != 0).any(1)
     assert 0 < fine.sum() <= 16
 
     # A flat tetrahedron stays flat, with its corners in one line, too.
     points, tets = layered(dtype, 0.5, flat=[5])
     assert sign(points[tets[5]]) == 0
-    check(points, tets, 1e-3, PointError=1e-3)
+    check(points, tets, 1e-3, PointTolerance=(1, 1e-3))
 
     # One that is the least bit from being flat keeps its orientation: rounding errors would hide it.
     points, tets = layered(dtype, 0.5)
@@ -94,22 +93,22 @@ for dtype in (np.float32, np.float64):
         assert sign(points[tets[i]]) == 0
         points[d, 2] = np.nextafter(points[d, 2], dtype(toward))
         assert sign(points[tets[i]]) != 0
-    check(points, tets, 1e-3, PointError=1e-3)
+    check(points, tets, 1e-3, PointTolerance=(1, 1e-3))
 
 # The same by other ways to say it.
 points, tets = layered(np.float64, 0.5)
 side = np.ptp(points, 0).max()
-check(points, tets, 1e-4 * side, RelativePointError=1e-4)
-check(points, tets, side / (2**12 - 1), PointBits=12)
+check(points, tets, 1e-4 * side, PointTolerance=(2, 1e-4))
+check(points, tets, side / (2**12 - 1), PointTolerance=(4, 12))
 
 # A thin layer as a whole would turn over: an error that names one that would do.
 points, tets = layered(np.float64, 1e-3)
 grid = gm.make_grid(points, tets)
-message = refused(grid, PointError=0.01)
-assert "turn over" in message and "would do" in message, message
-better = float(message.split("an error of ")[1].split()[0])
+message = refused(grid, PointTolerance=(1, 0.01))
+assert "turn over" in message and " works" in message, message
+better = float(message.split("a tolerance of ")[1].split()[0])
 assert 0 < better < 0.01
-check(points, tets, better, PointError=better)
+check(points, tets, better, PointTolerance=(1, better))
 
 # Corners of other cells, too.
 n = 6
@@ -132,12 +131,13 @@ for kind, order in ((VTK_HEXAHEDRON, slice(None)), (VTK_VOXEL, [0, 1, 3, 2, 4, 5
     array.SetData(numpy_to_vtkIdTypeArray(8 * np.arange(len(cells) + 1), deep=True),
                   numpy_to_vtkIdTypeArray(cells[:, order].ravel(), deep=True))
     grid.SetCells(kind, array)
-    gm.write(grid, path, KeepOrder=7, PointError=1 / 128)
+    gm.write(grid, path, KeepOrder=7, PointTolerance=(1, 1 / 128))
     back = gm.coordinates(gm.read(path))
     assert signs(back, tets) == before and 0 < np.abs(back - points).max() <= 1 / 128
 
-# Options that exclude each other, or are out of range.
-for options in ({"PointError": 0.1, "RelativePointError": 0.1}, {"RelativePointError": 1.0},
-                {"RelativePointError": -0.1}, {"RelativePointError": float("nan")},
-                {"RelativePointError": 0.1, "PointBits": 3}):
-    refused(grid, **options)
+# Tolerances out of range, and of kinds that coordinates do not have.
+nan, inf = float("nan"), float("inf")
+for kind, values in {1: (0, -0.1, nan, inf), 2: (0, 1, -0.1, nan), 3: (0.1,), 4: (0, 32, 2.5, nan),
+                     5: (1,), -1: (1,)}.items():
+    for value in values:
+        refused(grid, PointTolerance=(kind, value))

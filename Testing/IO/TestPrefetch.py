@@ -30,7 +30,7 @@ connect(writer, TimeSource(step, TIMES))
 writer.SetFileName(path)
 writer.WriteAllTimeStepsOn()
 writer.SetKeepOrder(7)
-writer.SetChunkTets(1000)
+writer.SetChunkSize(1000)
 assert writer.Write() == 1
 
 
@@ -38,8 +38,7 @@ def open_reader(prefetch=True, **options):
     reader = vtkGatunReader()
     reader.SetFileName(path)
     reader.SetPrefetchTimeSteps(prefetch)
-    for name, value in options.items():
-        getattr(reader, "Set" + name)(value)
+    gm.set_options(reader, **options)
     return reader
 
 
@@ -53,8 +52,8 @@ def wait(reader):
     """Until nothing was read for some time."""
     last, since = -1, time.monotonic()
     while time.monotonic() < since + 0.5:
-        if reader.GetBytesRead() != last:
-            last, since = reader.GetBytesRead(), time.monotonic()
+        if gm.statistic(reader, "BytesRead") != last:
+            last, since = gm.statistic(reader, "BytesRead"), time.monotonic()
         time.sleep(0.02)
 
 
@@ -68,9 +67,9 @@ for index in [*range(12), *range(11, -1, -1), *rng.permutation(12).tolist()]:
 
 def bytes_of(reader, index):
     """What a step reads."""
-    before = reader.GetBytesRead()
+    before = gm.statistic(reader, "BytesRead")
     read(reader, index)
-    return reader.GetBytesRead() - before
+    return gm.statistic(reader, "BytesRead") - before
 
 
 # Forward and backward, the next step is there.
@@ -91,27 +90,27 @@ assert bytes_of(plain, 1) > 1000
 for index, options in ((11, {}), (3, {"MemoryBudget": 0})):
     reader = open_reader(**options)
     read(reader, index)
-    before = reader.GetBytesRead()
+    before = gm.statistic(reader, "BytesRead")
     wait(reader)
-    assert reader.GetBytesRead() == before
+    assert gm.statistic(reader, "BytesRead") == before
 reader = open_reader()
 reader.UpdateInformation()
 reader.SetPointArrayStatus("wave", 0)
 reader.SetCellArrayStatus("noise", 0)
 read(reader, 3)
-before = reader.GetBytesRead()
+before = gm.statistic(reader, "BytesRead")
 wait(reader)
-assert reader.GetBytesRead() == before
+assert gm.statistic(reader, "BytesRead") == before
 
 # Only the chunks of the piece.
 reader = open_reader()
 read(reader, 3, 0, 8, 0)
 wait(reader)
-part = reader.GetBytesRead()
+part = gm.statistic(reader, "BytesRead")
 whole = open_reader()
 read(whole, 3)
 wait(whole)
-assert part < 0.5 * whole.GetBytesRead()
+assert part < 0.5 * gm.statistic(whole, "BytesRead")
 
 # In the middle of it: another file, another budget, the end.
 for _ in range(20):

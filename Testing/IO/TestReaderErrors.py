@@ -19,7 +19,7 @@ FORMAT, NO_NAME = vtkErrorCode.FileFormatError, vtkErrorCode.NoFileNameError
 
 good = gm.temporary("good.gtn")
 grid = gm.block(n=3)
-gm.write(grid, good, ChunkTets=64)
+gm.write(grid, good, ChunkSize=64)
 content = open(good, "rb").read()
 bad = gm.temporary("bad.gtn")
 
@@ -132,9 +132,9 @@ reader = vtkGatunReader()
 reader.SetFileName(changing)
 reader.Update()
 first = reader.GetOutput().GetPoints()
-size = reader.GetBytesRead()
+size = gm.statistic(reader, "BytesRead")
 reader.Update()
-assert reader.GetBytesRead() == size
+assert gm.statistic(reader, "BytesRead") == size
 other = gm.block(n=2)
 gm.write(other, changing)
 reader.Update()
@@ -148,7 +148,7 @@ errors = gm.Errors(reader)
 os.remove(changing)
 reader.Update()
 assert reader.GetErrorCode() == NOT_FOUND and reader.GetOutput().GetNumberOfCells() == 0
-assert reader.GetChunkTable() is None and reader.GetBytesRead() == 0
+assert reader.GetChunkTable() is None and gm.statistic(reader, "BytesRead") == 0
 shutil.copyfile(good, changing)
 reader.Update()
 assert reader.GetErrorCode() == 0

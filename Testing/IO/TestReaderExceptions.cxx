@@ -45,7 +45,7 @@ void WriteFile(const std::string& path)
   vtkNew<vtkGatunWriter> writer;
   writer->SetInputData(grid);
   writer->SetFileName(path.c_str());
-  writer->SetChunkTets(100);
+  writer->SetChunkSize(100);
   if (writer->Write() != 1)
   {
     std::cerr << "cannot write " << path << "\n";

@@ -24,6 +24,7 @@
 #include "vtkTable.h"
 #include "vtkTestUtilities.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVariant.h"
 
 #include <cstdlib>
 #include <iostream>
@@ -98,9 +99,9 @@ int TestReaderInterface(int argc, char* argv[])
   writer->SetInputData(grid);
   writer->SetFileName(path.c_str());
   writer->SetKeepOrderToAll();
-  writer->SetChunkTets(100);
+  writer->SetChunkSize(100);
   Check(writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError, "writing");
-  Check(writer->GetWrittenCells() == 1000, "statistics");
+  Check(writer->GetStatistics()->GetValueByName(0, "Cells").ToInt() == 1000, "statistics");
 
   vtkNew<vtkGatunReader> reader;
   reader->SetFileName(path.c_str());
@@ -133,15 +134,13 @@ int TestReaderInterface(int argc, char* argv[])
   }
 
   CheckPrinted(reader,
-    { "FileName", "RestoreOrder", "SplitCells", "GenerateGlobalIds", "UseBox", "Box",
-      "UseValueRange", "ValueRangeArray", "ValueRangeAssociation", "ValueRangeComponent",
-      "ValueRange", "MemoryBudget", "CachedBytes", "DecodedChunks", "BytesRead",
+    { "FileName", "RestoreOrder", "SplitCells", "Box", "ValueRangeArray", "ValueRange",
+      "MemoryBudget", "PrefetchTimeSteps", "LargeMesh", "SimplificationRatio", "Statistics",
       "PointDataArraySelection", "CellDataArraySelection" });
   CheckPrinted(writer,
-    { "FileName", "WriteUnlistedArrays", "KeepOrder", "ChunkTets", "KeyStepInterval",
-      "WriteAllTimeSteps", "SplitCells", "WrittenPoints", "WrittenCells", "WrittenSteps",
-      "FileBytes", "ConnectivityBytes", "GeometryBytes", "OrderBytes", "ArrayBytes",
-      "FieldDataBytes", "DirectoryBytes", "PointDataArraySelection", "CellDataArraySelection" });
+    { "FileName", "KeepOrder", "ChunkSize", "KeyStepInterval", "ArrayTolerances", "Hierarchy",
+      "LayerArray", "WriteAllTimeSteps", "SplitCells", "PointTolerance", "NumberOfPieces",
+      "Statistics", "PointDataArraySelection", "CellDataArraySelection" });
   const auto nameOf = [](unsigned long code)
   { return std::string(vtkGatunErrorCode::GetStringFromErrorCode(code)); };
   Check(nameOf(vtkGatunErrorCode::UnsupportedVersionError) == "UnsupportedVersionError" &&

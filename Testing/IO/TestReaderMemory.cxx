@@ -80,7 +80,7 @@ void WriteFile(const std::string& path)
   writer->SetInputData(grid);
   writer->SetFileName(path.c_str());
   writer->SetKeepOrderToAll();
-  writer->SetChunkTets(10000);
+  writer->SetChunkSize(10000);
   if (writer->Write() != 1)
   {
     std::cerr << "cannot write " << path << "\n";

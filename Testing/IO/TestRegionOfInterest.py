@@ -20,21 +20,20 @@ gm.add_array(grid.GetPointData(), rng.random((len(points), 3)), "noise")
 gm.add_array(grid.GetCellData(), np.arange(len(tets)), "cell")
 gm.add_array(grid.GetCellData(), points[tets].mean(1)[:, 2], "height")
 path = gm.temporary("region.gtn")
-gm.write(grid, path, ChunkTets=500)
+gm.write(grid, path, ChunkSize=500)
 
 
 def cells_and_bytes(**options):
     reader = vtkGatunReader()
     reader.SetFileName(path)
     reader.UpdateInformation()
-    for name, value in options.items():
-        getattr(reader, "Set" + name)(value)
-    before = reader.GetBytesRead()
+    gm.set_options(reader, **options)
+    before = gm.statistic(reader, "BytesRead")
     reader.Update()
     assert reader.GetErrorCode() == 0
     cells = reader.GetOutput().GetCellData().GetArray("cell")
     ids = vtk_to_numpy(cells) if cells and cells.GetNumberOfTuples() else np.zeros(0, int)
-    return set(ids), reader.GetBytesRead() - before
+    return set(ids), gm.statistic(reader, "BytesRead") - before
 
 
 everything, all_bytes = cells_and_bytes()
@@ -53,57 +52,53 @@ corners = points[tets]
 low, high = corners.min(1), corners.max(1)
 box = (0.1, 0.2, 0.3, 0.4, 0.0, 1.0)
 touches = ((low <= box[1::2]) & (high >= box[::2])).all(1)
-check(touches, 0.5, UseBox=True, Box=box)
-assert cells_and_bytes(Box=box)[0] == everything
-assert cells_and_bytes(UseBox=True, Box=(2, 3, 0, 1, 0, 1))[0] == set()
-assert cells_and_bytes(UseBox=True, Box=(-1, 2, -1, 2, -1, 2))[0] == everything
+check(touches, 0.5, Box=box)
+# A minimum above its maximum is no box, on any axis.
+for axis in range(3):
+    none = list(box)
+    none[2 * axis:2 * axis + 2] = 1, -1
+    assert cells_and_bytes(Box=tuple(none))[0] == everything
+assert cells_and_bytes(Box=(2, 3, 0, 1, 0, 1))[0] == set()
+assert cells_and_bytes(Box=(-1, 2, -1, 2, -1, 2))[0] == everything
 # A box that no chunk's inside touches, only its bounds.
-check(low[:, 0] <= 0, 0.5, UseBox=True, Box=(-1, 0, -9, 9, -9, 9))
+check(low[:, 0] <= 0, 0.5, Box=(-1, 0, -9, 9, -9, 9))
 
 values = ramp[tets]
 inside = (values.min(1) <= 3.5) & (values.max(1) >= 3.4)
-of_ramp = dict(UseValueRange=True, ValueRangeArray="ramp", ValueRange=(3.4, 3.5))
+of_ramp = dict(ValueRangeArray="ramp", ValueRange=(3.4, 3.5))
 check(inside, 0.5, **of_ramp)
-check(inside, 0.5, ValueRangeComponent=0, **of_ramp)
-assert cells_and_bytes(UseValueRange=True, ValueRange=(3.4, 3.5))[0] == everything
-assert cells_and_bytes(ValueRangeArray="ramp", ValueRange=(3.4, 3.5))[0] == everything
-assert cells_and_bytes(UseValueRange=True, ValueRangeArray="ramp", ValueRange=(11, 12))[0] == set()
+assert cells_and_bytes(ValueRange=(3.4, 3.5))[0] == everything
+assert cells_and_bytes(ValueRangeArray="ramp", ValueRange=(11, 12))[0] == set()
 
 length = np.sqrt((vector.astype(np.float64) ** 2).sum(1))[tets]
 inside = (length.min(1) <= 0.6) & (length.max(1) >= 0.5)
-check(inside, 0.6, UseValueRange=True, ValueRangeArray="vector", ValueRange=(0.5, 0.6))
-values = vector[:, 1][tets]
-inside = (values.min(1) <= -1.5) & (values.max(1) >= -1.6)
-check(inside, 0.6, UseValueRange=True, ValueRangeArray="vector", ValueRangeComponent=1,
-      ValueRange=(-1.6, -1.5))
+check(inside, 0.6, ValueRangeArray="vector", ValueRange=(0.5, 0.6))
 height = points[tets].mean(1)[:, 2]
-check((height >= 0.5) & (height <= 0.55), 0.6, UseValueRange=True, ValueRangeArray="height",
-      ValueRangeAssociation=1, ValueRange=(0.5, 0.55))
+check((height >= 0.5) & (height <= 0.55), 0.6, ValueRangeArray="height",
+      ValueRange=(0.5, 0.55))
 # Both at once.
-check(touches & (ramp[tets].min(1) <= 1.6) & (ramp[tets].max(1) >= 1.5), 0.4, UseBox=True, Box=box,
-      UseValueRange=True, ValueRangeArray="ramp", ValueRange=(1.5, 1.6))
+check(touches & (ramp[tets].min(1) <= 1.6) & (ramp[tets].max(1) >= 1.5), 0.4, Box=box,
+      ValueRangeArray="ramp", ValueRange=(1.5, 1.6))
 
 # Fewer arrays, fewer bytes; the array of the range need not be read.
 reader = vtkGatunReader()
 reader.SetFileName(path)
 reader.SetPointArrayStatus("noise", 0)
 reader.SetPointArrayStatus("ramp", 0)
-reader.UseValueRangeOn()
 reader.SetValueRangeArray("ramp")
 reader.SetValueRange(3.4, 3.5)
 reader.Update()
 assert not reader.GetOutput().GetPointData().HasArray("ramp")
 assert 0 < reader.GetOutput().GetNumberOfCells() < len(tets)
-reader.UseValueRangeOff()
-before = reader.GetBytesRead()
+reader.SetValueRangeArray(None)
+before = gm.statistic(reader, "BytesRead")
 reader.Update()
-assert reader.GetBytesRead() - before < 0.7 * all_bytes
+assert gm.statistic(reader, "BytesRead") - before < 0.7 * all_bytes
 
 # Pieces of a region are that region.
 part = cells_and_bytes(**of_ramp)[0]
 reader = vtkGatunReader()
 reader.SetFileName(path)
-reader.UseValueRangeOn()
 reader.SetValueRangeArray("ramp")
 reader.SetValueRange(3.4, 3.5)
 seen = []
@@ -112,16 +107,12 @@ for piece in range(3):
     seen.extend(vtk_to_numpy(reader.GetOutput().GetCellData().GetArray("cell")))
 assert len(seen) == len(part) and set(seen) == part
 
-# An array that is not there, or has fewer components.
-for options, what in ((dict(ValueRangeArray="height"), "no point array 'height'"),
-                      (dict(ValueRangeArray="vector", ValueRangeComponent=3), "no component 3")):
-    reader = vtkGatunReader()
-    errors = gm.Errors(reader)
-    reader.SetFileName(path)
-    reader.UseValueRangeOn()
-    for name, value in options.items():
-        getattr(reader, "Set" + name)(value)
-    reader.Update()
-    assert reader.GetErrorCode() == vtkGatunErrorCode.InvalidInputError
-    assert path in str(errors) and what in str(errors), str(errors)
-    assert reader.GetOutput().GetNumberOfCells() == 0
+# An array that is not there.
+reader = vtkGatunReader()
+errors = gm.Errors(reader)
+reader.SetFileName(path)
+reader.SetValueRangeArray("heights")
+reader.Update()
+assert reader.GetErrorCode() == vtkGatunErrorCode.InvalidInputError
+assert path in str(errors) and "no array 'heights'" in str(errors), str(errors)
+assert reader.GetOutput().GetNumberOfCells() == 0

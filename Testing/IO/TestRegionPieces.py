@@ -48,20 +48,19 @@ def skin_of(piece):
 
 
 REGIONS = [
-    dict(UseBox=True, Box=(0.05, 0.4, -1, 2, 0.3, 0.6)),
-    dict(UseBox=True, Box=(0.6, 2, 0.6, 2, 0.6, 2)),  # the lowest chunks are outside
-    dict(UseValueRange=True, ValueRangeArray="color", ValueRangeAssociation=1, ValueRange=(1, 1)),
-    dict(UseBox=True, Box=(-1, 2, -1, 2, -1, 2)),
-    dict(UseBox=True, Box=(3, 4, 3, 4, 3, 4)),
+    dict(Box=(0.05, 0.4, -1, 2, 0.3, 0.6)),
+    dict(Box=(0.6, 2, 0.6, 2, 0.6, 2)),  # the lowest chunks are outside
+    dict(ValueRangeArray="color", ValueRange=(1, 1)),
+    dict(Box=(-1, 2, -1, 2, -1, 2)),
+    dict(Box=(3, 4, 3, 4, 3, 4)),
 ]
 
 for keep in (0, 7):
-    gm.write(grid, path, KeepOrder=keep, ChunkTets=200)
+    gm.write(grid, path, KeepOrder=keep, ChunkSize=200)
     for region in REGIONS:
         reader = vtkGatunReader()
         reader.SetFileName(path)
-        for name, value in region.items():
-            getattr(reader, "Set" + name)(value)
+        gm.set_options(reader, **region)
         reader.Update()
         chunks = reader.GetChunkTable().GetNumberOfRows()
         whole_points = values(reader.GetOutput().GetPointData(), "point").copy()
@@ -118,7 +117,6 @@ for keep in (0, 7):
 # Another region may leave a piece as it is, but not its ghosts and owners.
 reader = vtkGatunReader()
 reader.SetFileName(path)
-reader.UseBoxOn()
 answers = {}
 for box in ((0, 1, 0, 1, 0, 1), (0.6, 1, 0.6, 1, 0.6, 1)) * 2:
     reader.SetBox(box)

@@ -25,11 +25,11 @@ def check(points, tets, wide=True):
             with np.errstate(over="ignore"):
                 bits = points if points.dtype == dtype else points.astype(dtype)
             grid = with_ids(bits, tets, wide)
-            gm.assert_equal(grid, gm.round_trip(grid, "mesh.gtn", KeepOrder=7, ChunkTets=chunk))
-            back = gm.round_trip(grid, "mesh.gtn", ChunkTets=chunk)
+            gm.assert_equal(grid, gm.round_trip(grid, "mesh.gtn", KeepOrder=7, ChunkSize=chunk))
+            back = gm.round_trip(grid, "mesh.gtn", ChunkSize=chunk)
             gm.assert_same_mesh(grid, back)
             for keep in (1, 2, 3, 4, 5, 6):
-                back = gm.round_trip(grid, "mesh.gtn", KeepOrder=keep, ChunkTets=chunk)
+                back = gm.round_trip(grid, "mesh.gtn", KeepOrder=keep, ChunkSize=chunk)
                 gm.assert_same_mesh(grid, back)
                 if keep & 1:
                     ids = back.GetPointData().GetArray("point")
@@ -58,8 +58,8 @@ flat.view(np.uint32)[strewn[20:40]] = 0x7FC00000 + np.arange(20, dtype=np.uint32
 flat.view(np.uint32)[strewn[40:]] = 0xFF800001 + np.arange(20, dtype=np.uint32)
 grid = with_ids(odd, tets)
 for chunk in (0, 64):
-    gm.assert_equal(grid, gm.round_trip(grid, "mesh.gtn", KeepOrder=7, ChunkTets=chunk))
-    gm.assert_same_mesh(grid, gm.round_trip(grid, "mesh.gtn", ChunkTets=chunk))
+    gm.assert_equal(grid, gm.round_trip(grid, "mesh.gtn", KeepOrder=7, ChunkSize=chunk))
+    gm.assert_same_mesh(grid, gm.round_trip(grid, "mesh.gtn", ChunkSize=chunk))
 check(np.full((30, 3), np.nan), rng.integers(0, 30, (50, 4)))
 
 # Duplicate and unused points.
@@ -104,5 +104,5 @@ check(np.zeros((0, 3)), [])
 points, tets = gm.lattice(14, seed=5)
 grid = with_ids(points, tets)
 for chunk in (0, 64, 1000, 5000):
-    gm.assert_equal(grid, gm.round_trip(grid, "mesh.gtn", KeepOrder=7, ChunkTets=chunk))
-    gm.assert_same_mesh(grid, gm.round_trip(grid, "mesh.gtn", ChunkTets=chunk))
+    gm.assert_equal(grid, gm.round_trip(grid, "mesh.gtn", KeepOrder=7, ChunkSize=chunk))
+    gm.assert_same_mesh(grid, gm.round_trip(grid, "mesh.gtn", ChunkSize=chunk))

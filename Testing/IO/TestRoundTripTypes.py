@@ -68,9 +68,9 @@ for components in (1, 2, 3, 4, 6, 9, 13):
     fill(grid.GetPointData(), len(points), components, rng)
     fill(grid.GetCellData(), len(tets), components, rng)
     for chunk in (0, 64):
-        back = gm.round_trip(grid, "types.gtn", KeepOrder=7, ChunkTets=chunk)
+        back = gm.round_trip(grid, "types.gtn", KeepOrder=7, ChunkSize=chunk)
         gm.assert_equal(grid, back)
-        back = gm.round_trip(grid, "types.gtn", ChunkTets=chunk)
+        back = gm.round_trip(grid, "types.gtn", ChunkSize=chunk)
         gm.assert_same_mesh(grid, back)
         for one, other in ((grid.GetPointData(), back.GetPointData()),
                            (grid.GetCellData(), back.GetCellData())):
@@ -119,7 +119,7 @@ field.AddArray(empty)
 
 back = gm.round_trip(grid, "types.gtn", KeepOrder=7)
 gm.assert_equal(grid, back)
-back = gm.round_trip(grid, "types.gtn", ChunkTets=64)
+back = gm.round_trip(grid, "types.gtn", ChunkSize=64)
 gm.assert_same_mesh(grid, back)
 gm.assert_same_field(grid.GetFieldData(), back.GetFieldData())
 assert gm.roles_of(pd) == gm.roles_of(back.GetPointData())

@@ -71,7 +71,8 @@ writer.GetPointDataArraySelection().DisableArray("vector")
 assert writer.Write() == 1
 assert names(gm.read(path).GetPointData()) == ["point", "wave"]
 assert names(gm.read(path).GetCellData()) == ["cell"]
-writer.WriteUnlistedArraysOff()
+writer.GetPointDataArraySelection().SetUnknownArraySetting(0)
+writer.GetCellDataArraySelection().SetUnknownArraySetting(0)
 writer.GetPointDataArraySelection().EnableArray("wave")
 assert writer.Write() == 1
 assert names(gm.read(path).GetPointData()) == ["wave"]
@@ -80,8 +81,8 @@ gm.assert_same_mesh(gm.make_grid(*gm.lattice(12)), gm.read(path), skip=["wave"])
 
 # Options are clamped.
 for value, expected in ((-5, 0), (0, 0), (1, 64), (64, 64), (5000, 5000), (1 << 30, 1048576)):
-    writer.SetChunkTets(value)
-    assert writer.GetChunkTets() == expected
+    writer.SetChunkSize(value)
+    assert writer.GetChunkSize() == expected
 for value, expected in ((0, 1), (5, 5)):
     writer.SetKeyStepInterval(value)
     assert writer.GetKeyStepInterval() == expected
@@ -93,12 +94,12 @@ for setter, expected in ((writer.SetKeepOrderToPoints, 1), (writer.SetKeepOrderT
 
 # Statistics add up.
 writer = gm.write(grid, path, KeepOrder=7)
-assert writer.GetWrittenPoints() == grid.GetNumberOfPoints()
-assert writer.GetWrittenCells() == grid.GetNumberOfCells() and writer.GetWrittenSteps() == 1
-parts = [writer.GetConnectivityBytes(), writer.GetGeometryBytes(), writer.GetOrderBytes(),
-         writer.GetArrayBytes(), writer.GetFieldDataBytes(), writer.GetDirectoryBytes()]
-assert sum(parts) == os.path.getsize(path) == writer.GetFileBytes(), (parts, writer.GetFileBytes())
-assert writer.GetConnectivityBytes() > 0 and writer.GetOrderBytes() > 0
+assert gm.statistic(writer, "Points") == grid.GetNumberOfPoints()
+assert gm.statistic(writer, "Cells") == grid.GetNumberOfCells() and gm.statistic(writer, "TimeSteps") == 1
+parts = [gm.statistic(writer, part + "Bytes") for part in (
+    "Connectivity", "Geometry", "Order", "Array", "FieldData", "Directory")]
+assert sum(parts) == os.path.getsize(path) == gm.statistic(writer, "FileBytes"), (parts, gm.statistic(writer, "FileBytes"))
+assert gm.statistic(writer, "ConnectivityBytes") > 0 and gm.statistic(writer, "OrderBytes") > 0
 
 # Writing does what Update does, and the same bytes each time.
 first = open(path, "rb").read()
@@ -128,7 +129,7 @@ for make, run in ((vtkGatunReader, "Update"), (vtkGatunWriter, "Write")):
     algorithm.SetFileName(path)
     if make is vtkGatunWriter:
         algorithm.SetInputDataObject(grid)
-        algorithm.SetChunkTets(500)
+        algorithm.SetChunkSize(500)
     watch = Watch(algorithm)
     getattr(algorithm, run)()
     assert watch.seen == sorted(watch.seen) and watch.seen[-1] == 1 and len(watch.seen) > 3, watch.seen
@@ -151,7 +152,7 @@ for stop in (0.0, 0.2, 0.6):
     errors = gm.Errors(writer)
     writer.SetFileName(path)
     writer.SetInputDataObject(grid)
-    writer.SetChunkTets(300)
+    writer.SetChunkSize(300)
     watch = Watch(writer, stop)
     assert writer.Write() == 0 and writer.GetErrorCode() == vtkGatunErrorCode.AbortedError
     assert not errors.messages

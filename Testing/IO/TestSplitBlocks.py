@@ -27,7 +27,7 @@ def check(named, expected=None):
         assert [name for name, _ in back] == [name for name, _ in expected]
         for (_, one), (_, other) in zip(expected, back):
             assert_equal(one, other)
-    back = listed(split(gm.round_trip(grid, "split-free.gtn", ChunkTets=100)))
+    back = listed(split(gm.round_trip(grid, "split-free.gtn", ChunkSize=100)))
     assert [name for name, _ in back] == [name for name, _ in expected]
     for (_, one), (_, other) in zip(expected, back):
         assert_same(one, other)
@@ -119,7 +119,7 @@ for i in range(3):
         gm.add_array(block.GetPointData(), np.arange(len(points)), "second only")
     blocks.append(("part %d" % i, block))
 path = gm.temporary("split-pieces.gtn")
-gm.write(merge(collect(blocks)), path, ChunkTets=200)
+gm.write(merge(collect(blocks)), path, ChunkSize=200)
 for ghosts in (0, 1):
     seen = [[], [], []]
     for piece in range(4):

@@ -118,7 +118,7 @@ def write(n, name):
     wave = np.sin(4 * points[:, 0]) * np.cos(3 * points[:, 1]) + points[:, 2] ** 2
     gm.add_array(grid.GetPointData(), wave.astype(np.float32), "wave")
     path = gm.temporary(name)
-    gm.write(grid, path, ChunkTets=CHUNK_TETS)
+    gm.write(grid, path, ChunkSize=CHUNK_TETS)
     return path
 
 

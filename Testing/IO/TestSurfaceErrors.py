@@ -28,8 +28,7 @@ def refuse(surface, *texts, **options):
     errors = gm.Errors(writer)
     writer.SetInputDataObject(surface)
     writer.SetFileName(path)
-    for name, value in options.items():
-        getattr(writer, "Set" + name)(value)
+    gm.set_options(writer, **options)
     assert writer.Write() == 0 and writer.GetErrorCode() == INVALID, writer.GetErrorCode()
     assert len(errors.messages) == 1, str(errors)
     for text in (path, *texts):
@@ -61,10 +60,10 @@ good.GetPointData().Initialize()
 gm.add_array(good.GetPointData(), np.arange(10.0), "number")
 refuse(good, "hierarchy or layers need the whole mesh", Hierarchy=True, NumberOfPieces=2)
 refuse(good, "surface", "no 3D cells", SplitCells=True)
-refuse(good, "layers are made of tetrahedra", LayerArray="number")
-refuse(good, "not by both", PointError=1.0, PointBits=4)
-refuse(good, "finite", PointError=float("nan"))
-refuse(good, "whole mesh", PointBits=4, NumberOfPieces=2)
+refuse(good, "layers are made of tetrahedra", Layers="number")
+refuse(good, "must be absolute, relative", PointTolerance=(3, 0.5))
+refuse(good, "finite", PointTolerance=(1, float("nan")))
+refuse(good, "whole mesh", PointTolerance=(4, 4), NumberOfPieces=2)
 
 
 # Each reader names the other one.

@@ -16,7 +16,7 @@ from gatunTimeSource import TimeSource, connect
 
 surface = pd.add_arrays(pd.mixed(40))
 path = gm.temporary("pipeline.gtn")
-gm.write(surface, path, ChunkTets=100)
+gm.write(surface, path, ChunkSize=100)
 whole = pd.read(path, GenerateGlobalIds=True)
 
 # Pieces without their ghosts are the whole; with ghosts, each has its neighbors around it.
@@ -60,28 +60,27 @@ reader.Update()
 output = reader.GetOutput()
 assert not output.GetPointData().HasArray("colors") and output.GetPointData().GetNormals()
 assert [a.GetName() for a in gm.arrays_of(output.GetCellData())] == ["of faces"]
-decoded = reader.GetDecodedChunks()
+decoded = gm.statistic(reader, "DecodedChunks")
 assert decoded > 5 and output.GetPolys().GetNumberOfCells() == surface.GetNumberOfPolys()
 
 # A region is made of the chunks that touch it.
-part = pd.read(path, UseBox=True, Box=(0, 5, 0, 5, -9, 9))
+part = pd.read(path, Box=(0, 5, 0, 5, -9, 9))
 assert 0 < part.GetNumberOfCells() < surface.GetNumberOfCells()
-part = pd.read(path, UseValueRange=True, ValueRangeArray="point", ValueRange=(0, 10))
+part = pd.read(path, ValueRangeArray="point", ValueRange=(0, 10))
 assert 0 < part.GetNumberOfCells() < surface.GetNumberOfCells()
 
 # On demand, the output is an outline with the ranges of the arrays.
-reader = pd.reader_of(path, OnDemand=1)
+reader = pd.reader_of(path, LargeMesh=0)
 reader.Update()
 outline = reader.GetOutput()
 assert type(outline) is vtkPolyData and outline.GetNumberOfLines() == 12
 assert outline.GetBounds() == surface.GetBounds() and reader.GetIsOnDemand()
 assert outline.GetInformation().Has(reader.ON_DEMAND())
-assert reader.GetDecodedChunks() == 0
-for mode, size, expected in ((2, 10, True), (2, surface.GetNumberOfCells(), False), (0, 0, False)):
-    reader.SetOnDemand(mode)
+assert gm.statistic(reader, "DecodedChunks") == 0
+for size, expected in ((10, True), (surface.GetNumberOfCells(), False), (-1, False)):
     reader.SetLargeMesh(size)
     reader.Update()
-    assert reader.GetIsOnDemand() == expected, (mode, size)
+    assert reader.GetIsOnDemand() == expected, size
     assert (reader.GetOutput().GetNumberOfCells() == 12) == expected
 handle = reader.GetOutputInformation(0).Get(vtkGatunFileHandle.FILE_HANDLE())
 assert handle.GetIsOpen() and handle.GetNumberOfPoints() == surface.GetNumberOfPoints()
@@ -103,7 +102,7 @@ connect(writer, TimeSource(step, TIMES, "vtkPolyData"))
 writer.SetFileName(path)
 writer.SetWriteAllTimeSteps(True)
 writer.SetKeepOrder(7)
-assert writer.Write() == 1 and writer.GetWrittenSteps() == 3
+assert writer.Write() == 1 and gm.statistic(writer, "TimeSteps") == 3
 reader = pd.reader_of(path)
 kept = None
 for index in (1, 2, 0):

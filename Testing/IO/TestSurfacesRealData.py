@@ -26,7 +26,7 @@ def check(algorithm):
     assert surface.GetNumberOfCells() > 100
     writer = gm.write(surface, path, KeepOrder=KEEP_ALL)
     pd.assert_equal(surface, pd.read(path))
-    print(surface.GetNumberOfCells(), "cells", writer.GetFileBytes(), "bytes")
+    print(surface.GetNumberOfCells(), "cells", gm.statistic(writer, "FileBytes"), "bytes")
     checked += 1
 
 

@@ -41,7 +41,7 @@ before = count_threads()
 writer = vtkGatunWriter()
 writer.SetInputData(grid)
 writer.SetFileName(path)
-writer.SetChunkTets(500)
+writer.SetChunkSize(500)
 writer.SetKeepOrder(7)
 writer.AddObserver("ProgressEvent", look)
 assert writer.Write() == 1

@@ -44,8 +44,7 @@ def write_all(path, source, **options):
     connect(writer, source)
     writer.SetFileName(path)
     writer.WriteAllTimeStepsOn()
-    for name, value in options.items():
-        getattr(writer, "Set" + name)(value)
+    gm.set_options(writer, **options)
     return writer
 
 
@@ -58,9 +57,9 @@ def output_at(reader, time):
 path = gm.temporary("time.gtn")
 for interval in (1, 3, 8, 100):
     for keep, chunk in ((7, 0), (0, 200)):
-        writer = write_all(path, source_of(), KeyStepInterval=interval, KeepOrder=keep, ChunkTets=chunk)
+        writer = write_all(path, source_of(), KeyStepInterval=interval, KeepOrder=keep, ChunkSize=chunk)
         assert writer.Write() == 1
-        assert writer.GetWrittenSteps() == len(TIMES)
+        assert gm.statistic(writer, "TimeSteps") == len(TIMES)
         reader = vtkGatunReader()
         reader.SetFileName(path)
         reader.UpdateInformation()
@@ -81,10 +80,10 @@ for interval in (1, 3, 8, 100):
             grids.add((grid.GetPoints().GetData().GetVoidPointer(0),
                        grid.GetCells().GetConnectivityArray().GetVoidPointer(0)))
         assert len(grids) == 1
-        assert reader.GetDecodedChunks() == reader.GetChunkTable().GetNumberOfRows()
+        assert gm.statistic(reader, "DecodedChunks") == reader.GetChunkTable().GetNumberOfRows()
 
 # One mesh in one file beats a file for each step.
-alone = [gm.write(step(i), gm.temporary("alone.gtn")).GetFileBytes() for i in range(3)]
+alone = [gm.statistic(gm.write(step(i), gm.temporary("alone.gtn")), "FileBytes") for i in range(3)]
 size = write_all(path, source_of()).Write() and os.path.getsize(path)
 assert size < 20 * min(alone) * 0.9, (size, alone)
 
@@ -118,7 +117,7 @@ source = source_of()
 writer = write_all(path, source)
 writer.WriteAllTimeStepsOff()
 source.UpdateTimeStep(2.0)
-assert writer.Write() == 1 and writer.GetWrittenSteps() == 1
+assert writer.Write() == 1 and gm.statistic(writer, "TimeSteps") == 1
 reader = vtkGatunReader()
 reader.SetFileName(path)
 reader.UpdateInformation()
@@ -175,7 +174,7 @@ for make in fewer_arrays, other_type:
     assert open(path, "rb").read() == before
     # The writer is as good as new.
     connect(writer, source_of())
-    assert writer.Write() == 1 and writer.GetWrittenSteps() == len(TIMES)
+    assert writer.Write() == 1 and gm.statistic(writer, "TimeSteps") == len(TIMES)
     gm.write(step(0), path)
 
 # Points may change, even in place: the file has them at every step.
@@ -216,6 +215,6 @@ errors = gm.Errors(writer)
 assert writer.Write() == 0 and writer.GetErrorCode() != 0 and "not written" in str(errors)
 assert open(path, "rb").read() == before
 connect(writer, source_of())
-assert writer.Write() == 1 and writer.GetWrittenSteps() == len(TIMES)
+assert writer.Write() == 1 and gm.statistic(writer, "TimeSteps") == len(TIMES)
 reader.Update()
 gm.assert_same_mesh(step(0), output_at(reader, TIMES[0]))

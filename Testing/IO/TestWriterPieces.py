@@ -41,9 +41,9 @@ writer, messages = write(source)
 assert not messages, messages
 assert source.asked == 2 * [(piece, 0) for piece in range(PIECES)], source.asked
 gm.assert_same_mesh(gm.read(path), whole)
-assert writer.GetWrittenPoints() == whole.GetNumberOfPoints()
-assert writer.GetWrittenCells() == whole.GetNumberOfCells()
-assert writer.GetFileBytes() == os.path.getsize(path)
+assert gm.statistic(writer, "Points") == whole.GetNumberOfPoints()
+assert gm.statistic(writer, "Cells") == whole.GetNumberOfCells()
+assert gm.statistic(writer, "FileBytes") == os.path.getsize(path)
 
 # The points to join by an array of numbers: a number of -1 is that of a point of this piece alone.
 numbered = gm.block(n=7)
@@ -52,17 +52,28 @@ apart = gm.block(n=7)
 gm.add_array(apart.GetPointData(), np.full(apart.GetNumberOfPoints(), -1), "number")
 for grid, joined in ((numbered, True), (apart, False)):
     source = PieceSource(lambda piece, pieces, step, grid=grid: piece_of(grid, piece, pieces))
-    writer, messages = write(source, JoinArray="number")
+    grid.GetPointData().GetArray("number").GetInformation().Set(vtkGatunWriter.JOIN_POINTS(), 1)
+    writer, messages = write(source)
     assert not messages, messages
-    assert (writer.GetWrittenPoints() == whole.GetNumberOfPoints()) == joined
-    assert writer.GetWrittenCells() == whole.GetNumberOfCells()
+    assert (gm.statistic(writer, "Points") == whole.GetNumberOfPoints()) == joined
+    assert gm.statistic(writer, "Cells") == whole.GetNumberOfCells()
     assert not gm.read(path).GetPointData().HasArray("number")
     if joined:
         gm.assert_same_mesh(gm.read(path), whole)
-for name in ("missing", "velocity"):
-    messages = write(PieceSource(lambda piece, pieces, step: piece_of(whole, piece, pieces)), 0,
-                     JoinArray=name)[1]
-    assert f"no point array '{name}' with integers" in messages[0], messages
+# Numbers that are none, and pieces that differ.
+for name, marked, says in (("velocity", range(PIECES), "array 'velocity' of piece 0 has no integers"),
+                           ("number", [0], "piece 1 has no point array to join by"),
+                           ("number", [1, 2], "piece 1 has a point array to join by")):
+    def make(piece, pieces, step):
+        grid = piece_of(numbered, piece, pieces)
+        for i in range(grid.GetPointData().GetNumberOfArrays()):
+            array = grid.GetPointData().GetArray(i)
+            key = vtkGatunWriter.JOIN_POINTS()
+            array.GetInformation().Set(key, int(array.GetName() == name and piece in marked))
+        return grid
+
+    messages = write(PieceSource(make), 0)[1]
+    assert says in messages[0], messages
 
 # Time steps: those of a piece follow each other.
 steps = [gm.block(n=7) for _ in range(3)]
@@ -72,7 +83,7 @@ source = PieceSource(lambda piece, pieces, step: piece_of(steps[step], piece, pi
 writer, messages = write(source, WriteAllTimeSteps=True)
 assert not messages, messages
 assert source.asked == 2 * [(p, s) for p in range(PIECES) for s in range(3)], source.asked
-assert writer.GetWrittenSteps() == 3
+assert gm.statistic(writer, "TimeSteps") == 3
 reader = vtkGatunReader()
 reader.SetFileName(path)
 for step, time in enumerate([0., .5, 2.]):
@@ -178,10 +189,10 @@ refuse(changing, "the values of part 1 have changed")
 refuse(lambda piece, pieces, step: piece_of(whole, (piece + step) % 2, pieces),
        "of piece 0 change with time", [0., 1.], WriteAllTimeSteps=True)
 refuse(lambda *_: whole, "need the whole mesh", Hierarchy=True)
-refuse(lambda *_: whole, "need the whole mesh", LayerArray="wave")
+refuse(lambda *_: whole, "need the whole mesh", Layers="wave")
 
 # A reader of the same kind of file, and parallel files of VTK.
-gm.write(whole, os.path.join(folder, "whole.gtn"), ChunkTets=300)
+gm.write(whole, os.path.join(folder, "whole.gtn"), ChunkSize=300)
 reader = vtkGatunReader()
 reader.SetFileName(os.path.join(folder, "whole.gtn"))
 _, messages = write(reader)

@@ -66,10 +66,10 @@ def own_part(grid):
 writer, messages = write(make_source(lambda step: own_part(whole)))
 assert not messages, messages
 gm.assert_same_mesh(gm.read(path), whole)
-assert writer.GetWrittenPoints() == whole.GetNumberOfPoints()
-assert writer.GetWrittenCells() == cells
-assert writer.GetFileBytes() == os.path.getsize(path)
-sent = world.allreduce(writer.GetBytesSent())
+assert gm.statistic(writer, "Points") == whole.GetNumberOfPoints()
+assert gm.statistic(writer, "Cells") == cells
+assert gm.statistic(writer, "FileBytes") == os.path.getsize(path)
+sent = world.allreduce(gm.statistic(writer, "BytesSent"))
 assert (sent > 0) == (ranks > 1) and sent < 100 * cells * ranks, sent
 
 # Time steps.
@@ -79,7 +79,7 @@ for step, grid in enumerate(steps):
 times = [0., .5, 2.]
 writer, messages = write(make_source(lambda step: own_part(steps[step]), times), WriteAllTimeSteps=True)
 assert not messages, messages
-assert writer.GetWrittenSteps() == 3
+assert gm.statistic(writer, "TimeSteps") == 3
 reader = vtkGatunReader()
 reader.SetFileName(path)
 for step, time in enumerate(times):

@@ -59,8 +59,7 @@ def write(image, path, **options):
     writer = vtkGatunHartleyWriter()
     writer.SetInputData(image)
     writer.SetFileName(path)
-    for name, value in options.items():
-        getattr(writer, "Set" + name)(value)
+    gm.set_options(writer, **options)
     errors = gm.Errors(writer)
     assert writer.Write() == 1, (path, str(errors))
     assert writer.GetErrorCode() == 0

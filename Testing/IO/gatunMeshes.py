@@ -142,16 +142,38 @@ class Errors:
         return "\n".join(self.messages)
 
 
+def set_options(algorithm, **options):
+    """Sets properties of an algorithm, or of its detail policy where they are there."""
+    for name, value in options.items():
+        owner = algorithm if hasattr(algorithm, "Set" + name) else algorithm.GetDetailPolicy()
+        getattr(owner, "Set" + name)(*(value if isinstance(value, tuple) else (value,)))
+
+
+KINDS = {"abs": 1, "rel": 2, "pw": 3, "bits": 4}
+
+
+def set_tolerance(writer, text):
+    """Sets the tolerance of an array, "NAME=KIND:E" or "NAME=KIND:E,zeros"."""
+    name, bound = text.rsplit("=", 1)
+    bound, comma, _ = bound.partition(",")
+    kind, value = bound.split(":")
+    writer.SetArrayTolerance(name, KINDS[kind], float(value), bool(comma))
+
+
+def statistic(algorithm, name):
+    """A number of GetStatistics."""
+    return algorithm.GetStatistics().GetColumnByName(name).GetValue(0)
+
+
 def write(grid, path, **options):
     """Writes by vtkGatunWriter with these options; must succeed. Returns the writer."""
     writer = vtkGatunWriter()
     writer.SetInputDataObject(grid)
     writer.SetFileName(path)
-    for name, value in options.items():
-        getattr(writer, "Set" + name)(value)
+    set_options(writer, **options)
     assert writer.Write() == 1, path
     assert writer.GetErrorCode() == 0
-    assert writer.GetFileBytes() == os.path.getsize(path)
+    assert statistic(writer, "FileBytes") == os.path.getsize(path)
     return writer
 
 
@@ -159,8 +181,7 @@ def read(path, **options):
     """Reads by vtkGatunReader with these options."""
     reader = vtkGatunReader()
     reader.SetFileName(path)
-    for name, value in options.items():
-        getattr(reader, "Set" + name)(value)
+    set_options(reader, **options)
     reader.Update()
     assert reader.GetErrorCode() == 0, path
     return reader.GetOutput()

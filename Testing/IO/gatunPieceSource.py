@@ -74,7 +74,7 @@ def write_pieces(source, path, expected, **options):
     writer.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
     writer.SetInputConnection(source.GetOutputPort())
     writer.SetFileName(path)
-    writer.SetChunkTets(200)
+    writer.SetChunkSize(200)
     for key, value in options.items():
         getattr(writer, "Set" + key)(value)
     assert writer.Write() == expected, messages

@@ -121,8 +121,7 @@ def assert_same_surface(one, other, skip=()):
 def reader_of(path, **options):
     reader = vtkGatunSurfaceReader()
     reader.SetFileName(path)
-    for name, value in options.items():
-        getattr(reader, "Set" + name)(value)
+    gm.set_options(reader, **options)
     return reader
 
 

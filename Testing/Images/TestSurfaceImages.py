@@ -68,7 +68,6 @@ def SurfaceOfPieces():
 def SurfaceOfRegion():
     """The chunks that touch a box."""
     reader = gs.ball_file("region")
-    reader.UseBoxOn()
     reader.SetBox(0.2, 1, -1, 1, -0.2, 1)
     return draw_surface(reader, array="heat")
 
@@ -119,7 +118,7 @@ def ContourOfFile():
 
 def ContourOfLayers():
     """Strips from a file with layers. The baseline is the one of ContourOfFile."""
-    return draw_contour(gs.ball_file("layers", LayerArray="heat"), OutputStrips=True)
+    return draw_contour(gs.ball_file("layers", Layers="heat"), OutputStrips=True)
 
 
 def ContourSimplified():

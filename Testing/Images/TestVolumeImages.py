@@ -30,15 +30,14 @@ def VolumeFromPieces():
     """The pipeline makes eight pieces, one in memory at a time. The baseline is the one of
     VolumeFromFile."""
     reader = gs.ball_file("pieces")
-    reader.UseBoxOn()  # of all: the mapper takes pieces of the output, not the file
-    reader.SetBox(-2, 2, -2, 2, -2, 2)
+    reader.SetBox(-2, 2, -2, 2, -2, 2)  # all: the mapper takes pieces of the output, not the file
     return draw_volume(reader, NumberOfPieces=8)
 
 
 def VolumeOnDemand():
     """The reader's output is an outline. The baseline is the one of VolumeFromFile."""
     reader = gs.ball_file("demand")
-    reader.SetOnDemand(reader.ON_DEMAND_ALWAYS)
+    reader.SetLargeMesh(0)
     reader.Update()
     assert reader.GetOutput().GetNumberOfCells() == 12
     return draw_volume(reader)
@@ -75,7 +74,7 @@ def VolumeSimplified():
 
 def VolumeLayered():
     """Organized by layers of the values. The baseline is the one of VolumeFromFile."""
-    return draw_volume(gs.ball_file("layered", LayerArray="heat"))
+    return draw_volume(gs.ball_file("layered", Layers="heat"))
 
 
 def VolumeAndGeometry():

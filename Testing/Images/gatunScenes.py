@@ -65,7 +65,7 @@ def ball_file(name, n=22, **options):
     """A reader of a file with the ball."""
     reader = vtkGatunReader()
     reader.SetFileName(gm.temporary(f"images-{name}.gtn"))
-    gm.write(ball(n), reader.GetFileName(), **{"ChunkTets": 2048, **options})
+    gm.write(ball(n), reader.GetFileName(), **{"ChunkSize": 2048, **options})
     return reader
 
 

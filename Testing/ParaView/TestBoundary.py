@@ -13,9 +13,9 @@ smtesting.ProcessCommandLineArguments()
 simple = load_plugin()
 rank, ranks = rank_and_ranks()
 path = sample.temporary("boundary.gtn")
-simple.SaveData(path, proxy=sample.make_source(), ChunkTets=300, WriteBoundary=1)
+simple.SaveData(path, proxy=sample.make_source(), ChunkSize=300, WriteBoundary=1)
 reader = simple.OpenDataFile(path)
-reader.OnDemand = "Always"
+reader.LargeMesh = 0
 
 
 def cells_of(proxy):
@@ -39,7 +39,7 @@ faces = cells_of(reader)
 assert faces == sample.BOUNDARY if ranks == 1 else faces >= sample.BOUNDARY, faces
 assert abs(size_of(reader, "Area") - 6 * sample.SIDE ** 2) < 1e-2
 whole = simple.OpenDataFile(path)
-whole.OnDemand = "Never"
+whole.LargeMesh = -1
 assert cells_of(whole) >= sample.TETS > 2 * faces
 assert range_of(reader, "wave") == range_of(whole, "wave")
 assert reader.GetDataInformation().GetBounds() == whole.GetDataInformation().GetBounds()

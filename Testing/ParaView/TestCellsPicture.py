@@ -56,9 +56,9 @@ for gatun_cell in range(gatun_side ** 3 if gatun_in.GetNumberOfPoints() else 0):
 """ % sample.SIDE
 
 path = sample.temporary("cells.gtn")
-simple.SaveData(path, proxy=cells, ChunkTets=300)
+simple.SaveData(path, proxy=cells, ChunkSize=300)
 readers = [simple.GatunReader(FileNames=[path]),
-           simple.GatunReader(FileNames=[path], OnDemand="Always")]
+           simple.GatunReader(FileNames=[path], LargeMesh=0)]
 cubes = sample.SIDE ** 3
 assert sample.counts(readers[0])[1] >= cubes + cubes // 3 + sample.SIDE ** 2
 if ranks == 1:

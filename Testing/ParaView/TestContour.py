@@ -21,12 +21,12 @@ mesh = simple.Calculator(Input=mesh, ResultArrayName="vector",
                          Function="iHat*wave+jHat*2*coordsX+5*kHat*coordsY")
 mesh.UpdatePipeline()
 path = sample.temporary("contour.gtn")
-simple.SaveData(path, proxy=mesh, ChunkTets=300, Hierarchy=1)
+simple.SaveData(path, proxy=mesh, ChunkSize=300, Hierarchy=1)
 
 
 def open_file(mode, name=path):
     reader = simple.OpenDataFile(name)
-    reader.OnDemand = mode
+    reader.LargeMesh = {"Never": -1, "Always": 0}[mode]
     reader.UpdatePipeline()
     return reader
 
@@ -147,11 +147,10 @@ if ranks == 1:
 for reader in readers.values():
     reader.SimplificationRatio = 0
 reader = readers["Never"]
-reader.UseBox = 1
 reader.Box = [0, 3, 0, 3, 0, 3]
 part = sample.counts(contour(reader))[1]
 assert 0 < part < triangles, part
-reader.UseBox = 0
+reader.Box = [1, -1, 1, -1, 1, -1]
 
 # A series of files.
 names = []
@@ -160,7 +159,7 @@ for i in range(3):
     moved = simple.Transform(Input=mesh, Transform="Transform")
     moved.Transform.Translate = [i, 0, 0]
     moved.UpdatePipeline()
-    simple.SaveData(names[-1], proxy=moved, ChunkTets=300)
+    simple.SaveData(names[-1], proxy=moved, ChunkSize=300)
 for mode in ("Always", "Never"):
     series = open_file(mode, names)
     surface = contour(series)

@@ -13,9 +13,9 @@ simple = load_plugin()
 path = sample.temporary("contour-picture.gtn")
 mesh = sample.make_source()
 mesh.UpdatePipeline()
-simple.SaveData(path, proxy=mesh, ChunkTets=300)
+simple.SaveData(path, proxy=mesh, ChunkSize=300)
 reader = simple.OpenDataFile(path)
-reader.OnDemand = "Always"
+reader.LargeMesh = 0
 reader.UpdatePipeline()
 surface = simple.GatunContour(Input=reader)
 surface.ContourBy = ["POINTS", "wave"]

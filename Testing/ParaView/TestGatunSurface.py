@@ -16,12 +16,12 @@ sphere = simple.Sphere(ThetaResolution=160, PhiResolution=120, Radius=0.5 * samp
 waves = simple.Calculator(Input=sphere, ResultArrayName="wave", Function="sin(9*coordsX)+coordsY")
 waves.UpdatePipeline()
 path = sample.temporary("drawn.gtn")
-simple.SaveData(path, proxy=waves, ChunkTets=500)
+simple.SaveData(path, proxy=waves, ChunkSize=500)
 
 whole = simple.OpenDataFile(path)
-whole.OnDemand = "Never"
+whole.LargeMesh = -1
 file = simple.OpenDataFile(path)
-file.OnDemand = "Always"
+file.LargeMesh = 0
 theirs = simple.Show(whole, view)
 simple.Hide(whole, view)
 ours = simple.Show(file, view)
@@ -114,10 +114,10 @@ view.SMProxy.InteractiveRender()
 # Changes of the reader, and of the file.
 ours.MemoryBudget = 0
 require("without memory")
-file.OnDemand = "Never"
+file.LargeMesh = -1
 require("in memory")
 assert count("DrawnChunks") == 0
-file.OnDemand = "Always"
+file.LargeMesh = 0
 require("on demand again")
 assert count("DrawnChunks") > 0
 simple.Hide(file, view)
@@ -130,7 +130,7 @@ other.Representation = "Gatun Surface"
 drawing.require_same(drawing.draw(view), expected)
 
 # Coarser while somebody interacts, if the file tells how.
-simple.SaveData(path, proxy=waves, ChunkTets=500, Hierarchy=1, Levels=3)
+simple.SaveData(path, proxy=waves, ChunkSize=500, Hierarchy=1, Levels=3)
 simple.ReloadFiles(file)
 ours = simple.Show(file, view)
 simple.Hide(waves, view)

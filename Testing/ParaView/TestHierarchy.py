@@ -11,7 +11,7 @@ simple = load_plugin()
 rank, ranks = rank_and_ranks()
 mesh = sample.make_source()
 path = sample.temporary("hierarchy.gtn")
-simple.SaveData(path, proxy=mesh, ChunkTets=300, Hierarchy=1, Levels=4)
+simple.SaveData(path, proxy=mesh, ChunkSize=300, Hierarchy=1, Levels=4)
 reader = simple.OpenDataFile(path)
 assert sample.owned(reader) == (sample.POINTS, sample.TETS)
 
@@ -26,9 +26,8 @@ for ratio in (0, 0.1, 0.3, 0.5, 0.75, 0.9, 0.99):
     volume = sample.volume(reader)
     if ratio <= 0.9:
         assert abs(volume - sample.VOLUME) < 1e-5 * sample.VOLUME, (ratio, volume)
-reader.SimplificationTarget = "Number Of Points"
 reader.SimplificationNumberOfPoints = 300
 assert sample.owned(reader)[0] == 300
-reader.SimplificationTarget = "Ratio"
+reader.SimplificationNumberOfPoints = 0
 reader.SimplificationRatio = 0
 assert sample.owned(reader) == (sample.POINTS, sample.TETS)

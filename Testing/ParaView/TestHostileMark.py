@@ -134,11 +134,11 @@ def run():
                     assert "GatunDrawnFile" in names, names
                     drawing.require_same(picture, expected)
         # A file on demand that has such arrays itself is the one that is drawn.
-        expected, _ = picture_of(plain[1], representations[0], OnDemand="Always")
-        picture, _ = picture_of(hostile[1], representations[0], victim, OnDemand="Always")
+        expected, _ = picture_of(plain[1], representations[0], LargeMesh=0)
+        picture, _ = picture_of(hostile[1], representations[0], victim, LargeMesh=0)
         drawing.require_same(picture, expected)
         # The other file shows something else, and is seen to be open where it is.
-        picture, _ = picture_of(victim, representations[0], OnDemand="Always")
+        picture, _ = picture_of(victim, representations[0], LargeMesh=0)
         drawing.require_other(picture, expected)
         if len(sys.argv) < 3:
             reader = simple.OpenDataFile(victim)

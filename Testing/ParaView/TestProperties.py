@@ -16,26 +16,26 @@ from paraview import servermanager
 simple = load_plugin()
 folder = sys.argv[1]
 # What a property is set to, to see whether that arrives.
-OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
-         "ValueRangeComponent": [2], "Box": [6, 5, 4, 3, 2, 1], "ValueRange": [-4, 9],
+OTHER = {"ChunkSize": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
+         "Box": [6, 5, 4, 3, 2, 1], "ValueRange": [-4, 9],
          "ValueRangeArray": ["some array"], "FileName": ["some file"],
-         "OnDemand": [1], "LargeMesh": [6000000000], "SampleDistance": [0.25], "BlendMode": [101],
+         "LargeMesh": [6000000000], "SampleDistance": [0.25], "BlendMode": [101],
          "MemoryBudget": [100], "TimeBudget": [0.5], "MaximumError": [0.125], "Metric": [1],
          "BoundaryWeight": [0.75], "FeatureAngle": [45.0], "ArrayComponent": [2], "OutputPointsPrecision": [1],
          "Levels": [5], "LayerArray": ["some array"], "LayerComponent": [1], "NumberOfLayers": [9],
-         "LayerSpacing": [2], "SimplificationTarget": [2], "SimplificationRatio": [0.25],
+         "LayerSpacing": [2], "SimplificationRatio": [0.25],
          "SimplificationNumberOfPoints": [123], "SimplificationRMSError": [0.125],
          "BlockSize": [16], "RateControl": [2], "Quality": [33], "PSNR": [44], "BitsPerVoxel": [2],
          "RMSError": [0.125],
          "FrequencyWeight": [1.5], "ViewDirection": [1, 2, 3], "ViewUp": [0, 2, 1], "Zoom": [3],
          "Size": [64, 32], "OpacityModel": [1], "ColorMap": [3], "ValueRange": [-4, 9], "OpacityUnit": [5],
          "Extinction": [0.5], "Zero": [-3], "Window": [2, 7], "Background": [0.5, 0.25, 1],
-         "Method": [2], "NumberOfPieces": [7], "SpillMemory": [8],
-         "SpillFolder": ["some folder"], "MinTimeStep": [2], "MaxTimeStep": [5], "TimeStepStride": [3],
+         "Method": [2], "NumberOfPieces": [7], 
+         "MinTimeStep": [2], "MaxTimeStep": [5], "TimeStepStride": [3],
          "HartleyOpacityModel": [1], "HartleyMemoryBudget": [100],
-         "PointError": [0.25], "RelativePointError": [0.125], "PointBits": [14], "Style": [1]}
+         "PointTolerance": ["bits:14"], "Style": [1]}
 # Where people who open a file are better served by another default than programs: that of the class.
-OWN_DEFAULT = {"GatunReaderCore.OnDemand": [0], "GatunSurfaceReaderCore.OnDemand": [0],
+OWN_DEFAULT = {"GatunReaderCore.LargeMesh": [-1], "GatunSurfaceReaderCore.LargeMesh": [-1],
                "GatunReaderCore.PrefetchTimeSteps": [0],
                "GatunSurfaceReaderCore.PrefetchTimeSteps": [0],
                "GatunWriter.LayerArray": ["none"],
@@ -159,10 +159,9 @@ assert {proxy.get("class") for _, proxy in proxies} >= \
 # The reader and the writer that people get have the properties of those that do the work.
 path = sample.temporary("properties.gtn")
 writer = simple.CreateWriter(path, sample.make_source())
-for prop in ("KeepOrder", "ChunkTets", "SplitCells", "ReplaceReadOnly", "FileName",
+for prop in ("KeepOrder", "ChunkSize", "SplitCells", "FileName",
              "ChooseArraysToWrite", "WriteAllTimeSteps", "KeyStepInterval", "NumberOfPieces",
-             "SpillMemory", "SpillFolder", "JoinAllPoints", "PointError", "RelativePointError",
-             "PointBits", "ArrayErrors", "KeepZeros", "FastArrays"):
+             "PointTolerance", "ArrayTolerances", "FastArrays"):
     assert writer.GetProperty(prop) is not None, prop
 writer.UpdatePipeline()
 reader = simple.GatunReader(FileNames=[path])

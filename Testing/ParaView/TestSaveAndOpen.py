@@ -15,7 +15,7 @@ mesh = sample.make_source()
 assert sample.counts(mesh) == (sample.POINTS, sample.TETS)
 
 path = sample.temporary("saved.gtn")
-simple.SaveData(path, proxy=mesh, ChunkTets=300)
+simple.SaveData(path, proxy=mesh, ChunkSize=300)
 reader = simple.OpenDataFile(path)
 assert reader.GetXMLName() == "GatunReader"
 assert sample.owned(reader) == (sample.POINTS, sample.TETS), sample.owned(reader)
@@ -68,27 +68,15 @@ few = simple.OpenDataFile(only)
 few.UpdatePipeline()
 assert arrays(few)[0] - extra[0] == {"wave"}, arrays(few)
 
-# A read-only file is replaced on request.
-protected = sample.temporary("protected.gtn")
-simple.SaveData(protected, proxy=mesh)
-if rank == 0:
-    os.chmod(protected, 0o444)
-simple.SaveData(protected, proxy=few, ReplaceReadOnly=1)
-replaced = simple.OpenDataFile(protected)
-replaced.UpdatePipeline()
-assert arrays(replaced)[0] - extra[0] == {"wave"}, arrays(replaced)
-
 # A region.
-reader.UseBox = 1
 reader.Box = [0, 1, 0, 1, 0, 1]
 assert 0 < sample.owned(reader)[1] < sample.TETS / 2
-reader.UseBox = 0
-reader.UseValueRange = 1
+reader.Box = [1, -1, 1, -1, 1, -1]
 reader.ValueRangeArray = "wave"
 reader.ValueRange = [2.9, 3]
 part = sample.owned(reader)[1]
 assert 0 < part < sample.TETS, part
-reader.UseValueRange = 0
+reader.ValueRangeArray = ""
 assert sample.owned(reader)[1] == sample.TETS
 
 # A series of files.
@@ -131,6 +119,5 @@ for first, last, stride, expected in ((0, -1, 1, (0, 1, 2)), (1, 2, 1, (1, 2)), 
 
 # In pieces, one after the other, of a source that knows them.
 pieces = sample.temporary("pieces.gtn")
-simple.SaveData(pieces, proxy=reader, NumberOfPieces=4, SpillMemory=1, JoinAllPoints=1,
-                SpillFolder=os.environ["GATUN_TEST_TEMP"])
+simple.SaveData(pieces, proxy=reader, NumberOfPieces=4)
 assert sample.owned(simple.OpenDataFile(pieces)) == (sample.POINTS, sample.TETS)

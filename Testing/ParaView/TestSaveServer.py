@@ -17,7 +17,7 @@ from paraview import simple
 
 path = sample.temporary("server.gtn")
 with connected(sys.argv[1], sys.argv[2], 2):
-    simple.SaveData(path, proxy=make("mixed", 0, True), WriteAllTimeSteps=1, ChunkTets=200)
+    simple.SaveData(path, proxy=make("mixed", 0, True), WriteAllTimeSteps=1, ChunkSize=200)
     # The file appears when it is complete.
     begin = time.monotonic()
     while not os.path.exists(path) and time.monotonic() < begin + 60:

@@ -23,7 +23,7 @@ os.makedirs(folder)
 def save_and_open(name, proxy, **options):
     """Saves a proxy and opens the file. Nothing else is left in the folder."""
     path = os.path.join(folder, name)
-    simple.SaveData(path, proxy=proxy, ChunkTets=200, **options)
+    simple.SaveData(path, proxy=proxy, ChunkSize=200, **options)
     assert os.listdir(folder) == [name], os.listdir(folder)
     reader = simple.OpenDataFile(path)
     reader.UpdatePipeline()
@@ -71,7 +71,7 @@ simple.Delete(reader)
 empty_folder()
 
 # What a reader deals out, and what a filter redistributes.
-simple.SaveData(os.path.join(folder, "first.gtn"), proxy=make("mixed"), ChunkTets=100)
+simple.SaveData(os.path.join(folder, "first.gtn"), proxy=make("mixed"), ChunkSize=100)
 first = simple.OpenDataFile(os.path.join(folder, "first.gtn"))
 first.UpdatePipeline()
 again = os.path.join(os.environ["GATUN_TEST_TEMP"], os.environ["GATUN_TEST_NAME"] + "-again.gtn")

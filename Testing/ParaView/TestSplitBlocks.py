@@ -14,7 +14,7 @@ faces = simple.AppendDatasets(Input=simple.ExtractSurface(Input=mesh))  # an uns
 group = simple.GroupDatasets(Input=[mesh, more, faces])
 group.BlockNames = ["first", "second", "faces"]
 path = sample.temporary("blocks.gtn")
-simple.SaveData(path, proxy=simple.GatunMergeBlocks(Input=group), ChunkTets=300)
+simple.SaveData(path, proxy=simple.GatunMergeBlocks(Input=group), ChunkSize=300)
 reader = simple.OpenDataFile(path)
 # Programmable filters import names such as split and block into this module.
 gatun_split = simple.GatunSplitBlocks(Input=reader)

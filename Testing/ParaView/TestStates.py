@@ -13,7 +13,7 @@ from paraview import smstate, smtrace
 
 simple = load_plugin()
 grid = sample.temporary("states.gtn")
-simple.SaveData(grid, proxy=sample.make_source(), ChunkTets=300, Hierarchy=1, WriteBoundary=1)
+simple.SaveData(grid, proxy=sample.make_source(), ChunkSize=300, Hierarchy=1, WriteBoundary=1)
 for made in list(simple.GetSources().values()):
     simple.Delete(made)
 
@@ -30,7 +30,7 @@ def arrange(view):
 def session():
     """What a user does: opens a file, chooses Gatun Volume, and contours it. All of it in calls that
     a trace records."""
-    reader = simple.GatunReader(FileNames=[grid], OnDemand="Always")
+    reader = simple.GatunReader(FileNames=[grid], LargeMesh=0)
     view = simple.CreateView("RenderView")
     arrange(view)
     shown = simple.Show(reader, view)

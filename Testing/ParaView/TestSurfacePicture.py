@@ -11,7 +11,7 @@ from paraview import smtesting
 smtesting.ProcessCommandLineArguments()
 simple = load_plugin()
 path = sample.temporary("picture.gtn")
-simple.SaveData(path, proxy=sample.make_source(), ChunkTets=300)
+simple.SaveData(path, proxy=sample.make_source(), ChunkSize=300)
 reader = simple.OpenDataFile(path)
 reader.UpdatePipeline()
 compare_picture(reader)

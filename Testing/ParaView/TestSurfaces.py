@@ -28,7 +28,7 @@ def area_in_all(proxy):
 sphere = simple.Sphere(ThetaResolution=60, PhiResolution=60)
 sphere.UpdatePipeline()
 path = sample.temporary("surface.gtn")
-simple.SaveData(path, proxy=sphere, ChunkTets=300)
+simple.SaveData(path, proxy=sphere, ChunkSize=300)
 reader = simple.OpenDataFile(path)
 assert reader.GetXMLName() == "GatunSurfaceReader", reader.GetXMLName()
 reader.UpdatePipeline()
@@ -49,7 +49,7 @@ assert simple.OpenDataFile(grid).GetXMLName() == "GatunReader"
 
 # Isosurfaces, lines and strips.
 contour = simple.Contour(Input=mesh, ContourBy=["POINTS", "wave"], Isosurfaces=[0.5])
-simple.SaveData(path, proxy=contour, ChunkTets=300)
+simple.SaveData(path, proxy=contour, ChunkSize=300)
 back = simple.OpenDataFile(path)
 assert abs(area_in_all(back) - area_in_all(contour)) < 1e-5 * area_in_all(contour)
 edges = simple.FeatureEdges(Input=simple.ExtractSurface(Input=mesh))
@@ -60,23 +60,23 @@ back.UpdatePipeline()
 bounds = [proxy.GetDataInformation().GetBounds() for proxy in (edges, back)]
 assert bounds[0] == bounds[1]
 strips = simple.TriangleStrips(Input=simple.Plane(XResolution=20, YResolution=20))
-simple.SaveData(path, proxy=strips, ChunkTets=64)
+simple.SaveData(path, proxy=strips, ChunkSize=64)
 back = simple.OpenDataFile(path)
 assert abs(area_in_all(back) - 1) < 1e-6, area_in_all(back)
 
 # Rounded, in chosen arrays, and only the outline on demand.
-simple.SaveData(path, proxy=sphere, PointError=0.01, ChunkTets=300, ChooseArraysToWrite=1, PointDataArrays=[])
+simple.SaveData(path, proxy=sphere, PointTolerance="abs:0.01", ChunkSize=300, ChooseArraysToWrite=1, PointDataArrays=[])
 back = simple.OpenDataFile(path)
 back.UpdatePipeline()
 assert abs(area_in_all(back) - area_in_all(sphere)) < 0.05 * area_in_all(sphere)
 assert not back.GetDataInformation().GetPointDataInformation().GetArrayInformation("Normals")
-assert back.OnDemand == "Large Meshes Only" and not back.GetProperty("SplitCells")
-back.OnDemand = "Always"
+assert back.LargeMesh == 5000000 and not back.GetProperty("SplitCells")
+back.LargeMesh = 0
 back.UpdatePipeline()
 assert back.GetDataInformation().GetNumberOfCells() == 12
 
 # Arrays with errors.
-simple.SaveData(path, proxy=sphere, ArrayErrors=["Normals=abs:0.02"])
+simple.SaveData(path, proxy=sphere, ArrayTolerances=["Normals=abs:0.02"])
 back = simple.OpenDataFile(path)
 back.UpdatePipeline()
 ranges = [[proxy.GetDataInformation().GetPointDataInformation().GetArrayInformation("Normals")

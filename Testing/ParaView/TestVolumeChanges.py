@@ -17,11 +17,11 @@ rank, ranks = rank_and_ranks()
 calculated = simple.Calculator(Input=sample.make_source(), ResultArrayName="vector",
                                Function="(coordsX - 6)*iHat + coordsY*jHat - 3*kHat")
 path = sample.temporary("volume-changes.gtn")
-simple.SaveData(path, proxy=calculated, ChunkTets=300)
+simple.SaveData(path, proxy=calculated, ChunkSize=300)
 view = drawing.make_view()
 background = drawing.draw(view)
-mesh = simple.GatunReader(FileNames=[path], OnDemand="Never")
-reader = simple.GatunReader(FileNames=[path], OnDemand="Always")
+mesh = simple.GatunReader(FileNames=[path], LargeMesh=-1)
+reader = simple.GatunReader(FileNames=[path], LargeMesh=0)
 near = {"by": 2}
 
 
@@ -124,19 +124,18 @@ simple.Delete(clip)
 
 # The reader turned to the mesh and back: the filter then gets tetrahedra.
 simple.Show(reader, view)
-reader.OnDemand = "Never"
+reader.LargeMesh = -1
 drawing.require_same(drawing.draw(view), first, **near)
 assert sample.owned(reader)[1] == sample.TETS
-reader.OnDemand = "Always"
+reader.LargeMesh = 0
 drawing.require_same(drawing.draw(view), first)
 assert sample.counts(reader) == (8, 12)
 
 # A region of interest is a mesh.
-reader.UseBox = 1
 reader.Box = [0, 2, 0, 12, 0, 12]
 assert 12 < sample.counts(reader)[1] < sample.TETS
 drawing.require_other(drawing.draw(view), first)
-reader.UseBox = 0
+reader.Box = [1, -1, 1, -1, 1, -1]
 drawing.require_same(drawing.draw(view), first)
 
 # Two views; when one goes, the other stays as it was.
@@ -192,8 +191,8 @@ if ranks == 1:
     simple.Hide(reader, view)
     for files in ([steps], names):
         frames = []
-        for mode in ("Never", "Always"):
-            moving = simple.GatunReader(FileNames=files, OnDemand=mode)
+        for large in -1, 0:
+            moving = simple.GatunReader(FileNames=files, LargeMesh=large)
             assert list(moving.TimestepValues) == [0, 1, 2]
             shown_moving = simple.Show(moving, view)
             shown_moving.SetRepresentationType("Gatun Volume")
@@ -216,11 +215,11 @@ if ranks == 1:
 # The file rewritten, and read again.
 smaller = simple.Transform(Input=sample.make_source(), Transform="Transform")
 smaller.Transform.Scale = [0.5, 0.5, 0.5]
-simple.SaveData(path, proxy=smaller, ChunkTets=300)
+simple.SaveData(path, proxy=smaller, ChunkSize=300)
 simple.ReloadFiles(reader)
 drawing.require_other(drawing.draw(view), first)
 assert reader.GetDataInformation().GetBounds()[1] == sample.SIDE / 2
-simple.SaveData(path, proxy=calculated, ChunkTets=300)
+simple.SaveData(path, proxy=calculated, ChunkSize=300)
 simple.ReloadFiles(reader)
 drawing.require_same(drawing.draw(view), first)
 
@@ -237,5 +236,4 @@ if ranks == 1:
     view.ViewSize = [drawing.SIZE, drawing.SIZE]
     drawing.require_same(drawing.draw(view), expected)
     readers = [s for s in simple.GetSources().values() if s.GetXMLName() == "GatunReader"]
-    assert sorted(s.GetProperty("OnDemand").GetData() for s in readers) == \
-        ["Always", "Never"], [s.GetProperty("OnDemand").GetData() for s in readers]
+    assert sorted(s.GetProperty("LargeMesh").GetData() for s in readers) == [-1, 0]

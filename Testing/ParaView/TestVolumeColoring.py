@@ -29,9 +29,9 @@ gatun_add_ids(inputs, output)
 meshes = simple.ProgrammableFilter(Input=sample.make_source(), OutputDataSetType="vtkUnstructuredGrid")
 meshes.Script = IDS
 path = sample.temporary("coloring.gtn")
-simple.SaveData(path, proxy=meshes, ChunkTets=300)
+simple.SaveData(path, proxy=meshes, ChunkSize=300)
 tree = sample.temporary("coloring-tree.gtn")
-simple.SaveData(tree, proxy=meshes, ChunkTets=300, Hierarchy=1, WriteBoundary=1)
+simple.SaveData(tree, proxy=meshes, ChunkSize=300, Hierarchy=1, WriteBoundary=1)
 
 
 def open_file(name, **properties):
@@ -54,9 +54,9 @@ def range_of(shown):
 # One choice, of a mesh in memory and of files with an outline and with a boundary.
 view = drawing.make_view()
 background = drawing.draw(view)
-readers = {"memory": open_file(path, OnDemand="Never"),
-           "outline": open_file(path, OnDemand="Always"),
-           "boundary": open_file(tree, OnDemand="Always")}
+readers = {"memory": open_file(path, LargeMesh=-1),
+           "outline": open_file(path, LargeMesh=0),
+           "boundary": open_file(tree, LargeMesh=0)}
 pictures = {}
 for name, reader in readers.items():
     shown = simple.Show(reader, view)
@@ -100,7 +100,7 @@ assert range_of(shown) == ([100, 200], [100, 150]), range_of(shown)
 contour = simple.GatunContour(Input=readers["memory"])
 assert list(contour.ContourBy) == ["POINTS", "point"], list(contour.ContourBy)
 for asked in (0, 1):
-    reader = open_file(path, OnDemand="Never", GenerateGlobalIds=asked)
+    reader = open_file(path, LargeMesh=-1, GenerateGlobalIds=asked)
     there = [array.GetName() for array in reader.PointData]
     assert ("GlobalPointIds" in there) == (asked == 1 or ranks > 1), (asked, there)
     colors = simple.Show(reader, view).SMProxy.GetProperty("ColorArrayName")
@@ -116,7 +116,7 @@ def number(proxy, name):
     return proxy.SMProxy.GetProperty(name).GetElement(0)
 
 
-whole = open_file(tree, OnDemand="Never")
+whole = open_file(tree, LargeMesh=-1)
 for reader, has_hierarchy, can_simplify in (
         (readers["memory"], 0, ranks == 1), (readers["outline"], 0, 0), (readers["boundary"], 1, 1),
         (whole, 1, ranks == 1)):

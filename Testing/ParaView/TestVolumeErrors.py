@@ -13,12 +13,12 @@ from gatunParaView import load_plugin
 
 simple = load_plugin()
 path = sample.temporary("volume-errors.gtn")
-simple.SaveData(path, proxy=sample.make_source(), ChunkTets=300)
+simple.SaveData(path, proxy=sample.make_source(), ChunkSize=300)
 with open(path, "rb") as file:
     good = file.read()
 view = drawing.make_view()
 background = drawing.draw(view)
-reader = simple.GatunReader(FileNames=[path], OnDemand="Always")
+reader = simple.GatunReader(FileNames=[path], LargeMesh=0)
 shown = drawing.show(reader, view)
 first = drawing.draw(view)
 drawing.require_other(first, background)

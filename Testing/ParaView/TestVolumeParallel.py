@@ -86,8 +86,8 @@ simple.HideAll(view)
 
 # A file, each rank with some of its chunks: as it is, and simplified.
 file = sample.temporary("volume-parallel.gtn")
-simple.SaveData(file, proxy=sample.make_source(), ChunkTets=300, Hierarchy=1, Levels=4)
-reader = simple.GatunReader(FileNames=[file], OnDemand="Always")
+simple.SaveData(file, proxy=sample.make_source(), ChunkSize=300, Hierarchy=1, Levels=4)
+reader = simple.GatunReader(FileNames=[file], LargeMesh=0)
 shown = drawing.show(reader, view)
 check("File")
 simple.Show(ball, view)

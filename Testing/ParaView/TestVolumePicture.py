@@ -24,7 +24,7 @@ rank, ranks = rank_and_ranks()
 among_ranks = {"by": 2 if ranks == 1 else 3, "pixels": 0}
 
 path = sample.temporary("volume.gtn")
-simple.SaveData(path, proxy=sample.make_source(), ChunkTets=300)
+simple.SaveData(path, proxy=sample.make_source(), ChunkSize=300)
 view = drawing.make_view()
 background = drawing.draw(view)
 # A large mesh is the second by itself.
@@ -137,7 +137,7 @@ set_both(ScalarOpacityUnitDistance=3)
 
 # Only what is seen is read, and once.
 size = os.path.getsize(path)
-one = simple.GatunReader(FileNames=[path], OnDemand="Always")
+one = simple.GatunReader(FileNames=[path], LargeMesh=0)
 part = drawing.show(one, view)
 drawing.look(view, -3, 0.05, 0.05)
 view.CameraFocalPoint = [0, 0.05 * sample.SIDE, 0.05 * sample.SIDE]

@@ -43,9 +43,9 @@ drawing.require_same(drawing.draw(view), first)
 
 # A file that is damaged.
 path = sample.temporary("volume-rank-errors.gtn")
-simple.SaveData(path, proxy=whole, ChunkTets=300)
+simple.SaveData(path, proxy=whole, ChunkSize=300)
 simple.Hide(whole, view)
-reader = simple.GatunReader(FileNames=[path], OnDemand="Always")
+reader = simple.GatunReader(FileNames=[path], LargeMesh=0)
 drawing.show(reader, view)
 near = {"by": 2, "pixels": 0}
 drawing.require_same(drawing.draw(view), first, **near)

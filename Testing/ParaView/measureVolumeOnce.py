@@ -12,12 +12,12 @@ import time
 
 from gatunParaView import load_plugin
 
-# How: the reader's OnDemand, the representation, the memory budget of whichever has the mesh.
+# How: the reader's LargeMesh, the representation, the memory budget of whichever has the mesh.
 WAYS = {"idle": None,
-        "Volume": ("Never", "Volume", None),
-        "Gatun Volume": ("Never", "Gatun Volume", 512),
-        "Gatun Volume, on demand": ("Always", "Gatun Volume", 512),
-        "Gatun Volume, on demand, keeping nothing": ("Always", "Gatun Volume", 0)}
+        "Volume": (-1, "Volume", None),
+        "Gatun Volume": (-1, "Gatun Volume", 512),
+        "Gatun Volume, on demand": (0, "Gatun Volume", 512),
+        "Gatun Volume, on demand, keeping nothing": (0, "Gatun Volume", 0)}
 
 way, path, picture = sys.argv[1:4]
 simple = load_plugin()
@@ -28,9 +28,9 @@ simple.Render(view)
 
 seconds = 0
 if WAYS[way]:
-    mode, representation, budget = WAYS[way]
+    large, representation, budget = WAYS[way]
     begin = time.time()
-    reader = simple.GatunReader(FileNames=[path], OnDemand=mode)
+    reader = simple.GatunReader(FileNames=[path], LargeMesh=large)
     reader.UpdatePipeline()
     shown = simple.Show(reader, view)
     array = reader.PointData[0].GetName()

@@ -114,7 +114,7 @@ modes = set()
 shared = 0
 for name, make in {**MESHES, **SHELLS}.items():
     grid = make(np.random.default_rng(6))
-    for options in ({"ChunkTets": 0}, {"ChunkTets": 100, "KeepOrder": 7}):
+    for options in ({"ChunkSize": 0}, {"ChunkSize": 100, "KeepOrder": 7}):
         decoder = check(name, grid, **options)
         modes.update(chunk.geometry.mode for chunk in decoder.chunks if not chunk.is_walk)
         shared += sum(len(chunk.shared_points) for chunk in decoder.chunks)
@@ -125,7 +125,7 @@ for seed, *arguments in AMONG_MANY:
 
 # A file with chunks of both kinds: tetrahedra are in chunks of their own where nothing else is.
 grid = meshes.two_blocks(np.random.default_rng(1))
-decoder = check("two blocks", grid, ChunkTets=64, KeepOrder=7)
+decoder = check("two blocks", grid, ChunkSize=64, KeepOrder=7)
 assert {chunk.is_walk for chunk in decoder.chunks} == {True, False}
 
 # Steps with changes that are predicted from the step before.
@@ -142,13 +142,12 @@ for step in range(5):
     grids.append(made)
 path = gm.temporary("decoded.gtn")
 times = [float(step) for step in range(len(grids))]
-for options in ({"ChunkTets": 64, "KeepOrder": 7}, {"KeyStepInterval": 2}):
+for options in ({"ChunkSize": 64, "KeepOrder": 7}, {"KeyStepInterval": 2}):
     writer = vtkGatunWriter()
     connect(writer, TimeSource(grids.__getitem__, times))
     writer.WriteAllTimeStepsOn()
     writer.SetFileName(path)
-    for name, value in options.items():
-        getattr(writer, "Set" + name)(value)
+    gm.set_options(writer, **options)
     assert writer.Write() == 1
     decoder = decode(path)
     for step, read in enumerate(golden.read_steps(path, False)[0]):
@@ -159,9 +158,9 @@ for options in ({"ChunkTets": 64, "KeepOrder": 7}, {"KeyStepInterval": 2}):
 # Merges are those of the tetrahedra of cells; layers are by values.
 for name in ("hexahedra", "transition", "polygons_in_layers"):
     grid = MESHES[name](np.random.default_rng(4))
-    decoder = check(name, grid, ChunkTets=300, Hierarchy=True)
+    decoder = check(name, grid, ChunkSize=300, Hierarchy=True)
     assert len(decoder.merges) > 10
     check_ranges(decoder)
-    decoder = check(name, grid, ChunkTets=64, LayerArray="wave", NumberOfLayers=4)
+    decoder = check(name, grid, ChunkSize=64, Layers=("wave", -1, 4))
     assert decoder.container.layers is not None and decoder.container.cells is not None
     check_layers(decoder)

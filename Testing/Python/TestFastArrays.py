@@ -68,8 +68,7 @@ def write(path, times, fast, **options):
         writer.WriteAllTimeStepsOn()
     else:
         writer.SetInputDataObject(step(times[0]))
-    for name, value in options.items():
-        getattr(writer, "Set" + name)(value)
+    gm.set_options(writer, **options)
     assert writer.Write() == 1
     return os.path.getsize(path)
 
@@ -77,9 +76,9 @@ def write(path, times, fast, **options):
 assert not vtkGatunWriter().GetFastArrays()
 path = gm.temporary("fast.gtn")
 for times, options in (
-        ([0.0], {"ChunkTets": 2000, "KeepOrder": 7}),
+        ([0.0], {"ChunkSize": 2000, "KeepOrder": 7}),
         ([0.0], {"Hierarchy": True, "Levels": 2, "WriteBoundary": True}),
-        ([0.0, 0.1, 0.2], {"ChunkTets": 2000, "KeyStepInterval": 2})):
+        ([0.0, 0.1, 0.2], {"ChunkSize": 2000, "KeyStepInterval": 2})):
     small = write(path, times, False, **options)
     assert find_modes(path) & QUADRATIC, options
     whole = gm.read(path)

@@ -90,7 +90,7 @@ assert "too large" not in decoder_says(data) != "" and "claims" not in gtn_says(
 points, tets = golden.gm.lattice(6)
 mixed = tets[:, [1, 2, 0, 3]]
 mixed[::2] = tets[::2]
-golden.gm.write(golden.gm.make_grid(points, mixed), path, ChunkTets=64, KeepOrder=7)
+golden.gm.write(golden.gm.make_grid(points, mixed), path, ChunkSize=64, KeepOrder=7)
 with open(path, "rb") as file:
     data = file.read()
 assert gtn_says("verify", data) == ""

@@ -55,7 +55,7 @@ def read_on_demand(data):
         file.write(data)
     reader = vtkGatunReader()
     reader.SetFileName(path)
-    reader.SetOnDemand(1)
+    reader.SetLargeMesh(0)
     reader.Update()
     return reader
 
@@ -98,7 +98,7 @@ for name, data in wrong.items():
 
 # The mesh is there for those who do not look at the boundary.
 reader = read_on_demand(wrong["not a file"])
-reader.SetOnDemand(0)
+reader.SetLargeMesh(-1)
 reader.Update()
 assert reader.GetErrorCode() == 0 and reader.GetOutput().GetNumberOfCells() == 1
 

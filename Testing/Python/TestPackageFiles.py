@@ -70,18 +70,18 @@ assert list(some.point_data) == ["smooth"] and list(some.cell_data) == ["id"]
 
 # Errors hold for every value, and where none is allowed nothing changes.
 span = np.ptp(noise)
-back = read_arrays(write("error.gtn", errors={"noise": "rel:1e-3"}, keep_order=True))
+back = read_arrays(write("error.gtn", tolerances={"noise": "rel:1e-3"}, keep_order=True))
 error = np.abs(back.point_data["noise"] - noise).max()
 assert 0 < error <= 1e-3 * span, error
 require_equal(back.point_data["smooth"], smooth)
-back = read_arrays(write("errors.gtn", errors="abs:0.01", keep_order=True))
+back = read_arrays(write("errors.gtn", tolerances="abs:0.01", keep_order=True))
 assert 0 < np.abs(back.point_data["smooth"] - smooth).max() <= 0.01
 require_equal(back.cell_data["id"][0], np.arange(len(tets)))
 assert os.path.getsize(find("errors.gtn")) < os.path.getsize(find("all.gtn"))
 shaken = points + 0.01 * rng.standard_normal(points.shape)
 for bound, most in ((0.001, 0.001), ("abs:0.001", 0.001), ("rel:1e-3", 1.1e-3), ("bits:10", 1.1e-3)):
     other = gatun.from_numpy(shaken, tets)
-    back = read_arrays(write("coordinates.gtn", other, point_error=bound, keep_order=True))
+    back = read_arrays(write("coordinates.gtn", other, point_tolerance=bound, keep_order=True))
     assert 0 < np.abs(back.points - shaken).max() <= most
 
 # A hierarchy, base meshes, layers and a boundary.
@@ -90,8 +90,8 @@ coarse = gatun.read(path, ratio=0.75)
 assert coarse.GetNumberOfPoints() == len(points) - int(0.75 * len(points))
 assert gatun.read(path).GetNumberOfCells() == len(tets)
 reader = gatun.vtkGatunReader()
-reader.SetFileName(write("more.gtn", layers=("smooth", 2), boundary=True, chunk_tets=256))
-reader.SetOnDemand(reader.ON_DEMAND_ALWAYS)
+reader.SetFileName(write("more.gtn", layers=("smooth", 2), boundary=True, chunk_size=256))
+reader.SetLargeMesh(0)
 reader.Update()
 assert reader.GetOutput().GetInformation().Get(reader.ON_DEMAND()) == reader.ON_DEMAND_BOUNDARY
 faces = gatun.to_numpy(reader.GetOutput()).cells_dict["triangle"]

@@ -28,7 +28,7 @@ mesh = gatun.from_numpy(
     cell_data={"half": (np.arange(len(tets)) % 2).astype(float)},
 )
 path = find("mesh.gtn")
-gatun.write(mesh, path, hierarchy=True, chunk_tets=256)
+gatun.write(mesh, path, hierarchy=True, chunk_size=256)
 SIZE = (90, 60)
 
 

@@ -74,7 +74,7 @@ import gatun
 import numpy as np
 
 mesh = gatun.read("a.gtn", arrays=["p"], step=-1)
-size: int = gatun.write(mesh, "b.gtn", errors={"p": "rel:1e-3"}, times=[0.5])
+size: int = gatun.write(mesh, "b.gtn", tolerances={"p": "rel:1e-3"}, times=[0.5])
 image: np.ndarray = gatun.render("a.gtn", size=(3, 4), opacity=[0, 1], background="white")
 reader = gatun.vtkGatunReader()
 reader.SetFileName("a.gtn")

@@ -23,7 +23,7 @@ def palettes(rng):
     few = np.stack([np.round(points[:, 0]), wave(points), np.full(len(points), np.nan)], -1)
     add(grid.GetPointData(), single(few), "one of three")
     add(grid.GetCellData(), single(np.round(points[tets].mean(1)[:, 1])), "layer")
-    return grid, {"ChunkTets": 200, "KeepOrder": 7}
+    return grid, {"ChunkSize": 200, "KeepOrder": 7}
 
 
 TYPES = {
@@ -54,7 +54,7 @@ def value_types(rng):
                 if dtype(0).dtype.kind in "iu":
                     noise[1], noise[3] = np.iinfo(dtype).min, np.iinfo(dtype).max
             add(where, noise, "type %d" % vtk_type, vtk_type)
-    return grid, {"KeepOrder": 7, "ChunkTets": 64}
+    return grid, {"KeepOrder": 7, "ChunkSize": 64}
 
 
 def attributes(rng):
@@ -130,7 +130,7 @@ def scales(rng):
     add(data, multiples(values * 2.0**150, 103), "highest of doubles")
     add(data, np.stack([multiples(values, -9), values], -1), "mixed")
     add(grid.GetCellData(), multiples(values[tets].mean(1), -40), "cells")
-    return grid, {"ChunkTets": 128, "KeepOrder": 7}
+    return grid, {"ChunkSize": 128, "KeepOrder": 7}
 
 
 def scales_of_steps(rng):
@@ -151,7 +151,7 @@ def scales_of_steps(rng):
         add(cells, (np.arange(len(tets)) + s) * (4 if s != 2 else 2), "multiples")
         grids.append(grid)
     return grids, {
-        "KeyStepInterval": 5, "ChunkTets": 64, "KeepOrder": 7}
+        "KeyStepInterval": 5, "ChunkSize": 64, "KeepOrder": 7}
 
 
 def copies_of_arrays(rng):
@@ -174,7 +174,7 @@ def copies_of_arrays(rng):
         add(cells, np.stack([ids] * 2, -1), "twice")
         grids.append(grid)
     return grids, {
-        "KeyStepInterval": 4, "ChunkTets": 64, "KeepOrder": 7}
+        "KeyStepInterval": 4, "ChunkSize": 64, "KeepOrder": 7}
 
 
 def wild(values):
@@ -207,15 +207,15 @@ def grid_of_all_kinds(rng, s, n=4):
 def bounded_errors(rng):
     """Bounds of all kinds, and a boundary."""
     return grid_of_all_kinds(rng, 0), {
-        "errors": ["*=rel:1e-3", "integers=abs:20", "double=abs:1e-12", "wild=pw:0.01",
-                   "vector=bits:7", "wild cells=bits:12"],
-        "WriteBoundary": True, "KeepZeros": True, "ChunkTets": 128, "KeepOrder": 7}
+        "errors": ["*=rel:1e-3,zeros", "integers=abs:20,zeros", "double=abs:1e-12,zeros",
+                   "wild=pw:0.01,zeros", "vector=bits:7,zeros", "wild cells=bits:12,zeros"],
+        "WriteBoundary": True, "ChunkSize": 128, "KeepOrder": 7}
 
 
 def bounded_errors_at_steps(_):
     grids = [grid_of_all_kinds(np.random.default_rng(5), s, 3) for s in range(5)]
-    return grids, {"errors": ["*=rel:1e-3", "wild=abs:0.01", "cells=pw:0.01"],
-                   "KeyStepInterval": 4, "KeepZeros": True, "ChunkTets": 128, "KeepOrder": 7}
+    return grids, {"errors": ["*=rel:1e-3,zeros", "wild=abs:0.01,zeros", "cells=pw:0.01,zeros"],
+                   "KeyStepInterval": 4, "ChunkSize": 128, "KeepOrder": 7}
 
 
 def smooth(points):
@@ -241,7 +241,7 @@ def quadratic_values(rng):
     at_cells = smooth(points[tets].mean(1))
     add(grid.GetCellData(), single(at_cells), "cells")
     add(grid.GetCellData(), at_cells, "bounded cells")
-    return grid, {"KeepOrder": 7, "ChunkTets": 512, "errors": [
+    return grid, {"KeepOrder": 7, "ChunkSize": 512, "errors": [
         "bounded=abs:1e-4", "pointwise=pw:1e-4", "bounded cells=abs:1e-4"]}
 
 
@@ -293,7 +293,7 @@ def quadratic_changes(_):
         add(grid.GetCellData(), single(at_cells), "cells")
         grids.append(grid)
     return grids, {"errors": ["bounded=abs:1e-9", "pointwise=pw:1e-6", "bounded odd=abs:1e-9"],
-        "KeyStepInterval": 3, "KeepOrder": 7, "ChunkTets": 128}
+        "KeyStepInterval": 3, "KeepOrder": 7, "ChunkSize": 128}
 
 
 ALL = [

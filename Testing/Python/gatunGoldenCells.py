@@ -68,7 +68,7 @@ def two_cells(_):
 
 
 def hexahedra(rng):
-    return meshes.hexahedra_at_random(rng, (4, 3, 3)), {**ALL_KEPT, "ChunkTets": 100}
+    return meshes.hexahedra_at_random(rng, (4, 3, 3)), {**ALL_KEPT, "ChunkSize": 100}
 
 
 def fitted_hexahedra(rng):
@@ -84,12 +84,12 @@ def mixed_cells(rng):
     return together([
         meshes.transition(rng, (3, 2, 2)), meshes.prisms(rng, 3, 2), meshes.voxels(rng, (2, 2, 2)),
         meshes.holes(rng, (3, 3, 3)), meshes.torn(rng, (2, 2, 2))]), {
-            **ALL_KEPT, "ChunkTets": 150}
+            **ALL_KEPT, "ChunkSize": 150}
 
 
 def tets_and_hexahedra(rng):
     """Chunks of tetrahedra beside others."""
-    return meshes.two_blocks(rng, 3), {**ALL_KEPT, "ChunkTets": 64}
+    return meshes.two_blocks(rng, 3), {**ALL_KEPT, "ChunkSize": 64}
 
 
 def cells_around_holes(_):
@@ -103,7 +103,7 @@ def corners_of_polyhedra(rng):
 
 
 def polyhedra(rng):
-    return meshes.polyhedra_and_others(rng), {**ALL_KEPT, "ChunkTets": 100}
+    return meshes.polyhedra_and_others(rng), {**ALL_KEPT, "ChunkSize": 100}
 
 
 def polygons_and_hanging_nodes(rng):
@@ -115,7 +115,7 @@ def polygons_and_hanging_nodes(rng):
 def cells_in_any_order(rng):
     """Cells of all types that have nothing to do with each other."""
     kinds = [*range(17), *range(21, 38), 41, 42, 52, 61, *range(68, 82), 99, 200]
-    return meshes.soup(rng, kinds, 3, 90), {**ALL_KEPT, "ChunkTets": 200}
+    return meshes.soup(rng, kinds, 3, 90), {**ALL_KEPT, "ChunkSize": 200}
 
 
 def degenerate_cells(rng):
@@ -137,7 +137,7 @@ def nonlinear_cells(rng):
         [shells.nonlinear_mixed(rng, 3)] +
         [orders.solids(rng, kind, [3], (1, 1, 1)) for kind in (71, 72, 73)] +
         [orders.solids(rng, 79, (4, 2, 1), (2, 1, 1))] +
-        [orders.shell(rng, kind, 4, 2) for kind in (76, 70)]), {"KeepOrder": 7, "ChunkTets": 2000}
+        [orders.shell(rng, kind, 4, 2) for kind in (76, 70)]), {"KeepOrder": 7, "ChunkSize": 2000}
 
 
 def shells_of_cells(rng):
@@ -147,7 +147,7 @@ def shells_of_cells(rng):
         shells.mixed(rng, 5, True), shells.pixels(rng, (3, 2, 1)), shells.junctions(rng, 4, 3),
         shells.moebius(rng, 10, 2), shells.turned(rng, 5), shells.holes(rng, 6),
         shells.cube_walls(rng, (2, 2, 1)), shells.degenerate(rng, 5),
-        shells.beside_solids(rng, (2, 2, 1), 3)]), {"ChunkTets": 400}
+        shells.beside_solids(rng, (2, 2, 1), 3)]), {"ChunkSize": 400}
 
 
 def closed_shell(rng):
@@ -185,7 +185,7 @@ def surface(_):
         one.ShallowCopy(first)
         add(one.GetCellData(), np.arange(one.GetNumberOfCells(), dtype=np.int32) * 3 + step, "rising")
         made.append(one)
-    return made, {**ALL_KEPT, "ChunkTets": 64, "times": [0.0, 1.0, 2.5]}
+    return made, {**ALL_KEPT, "ChunkSize": 64, "times": [0.0, 1.0, 2.5]}
 
 
 def surface_in_any_order(_):
@@ -217,7 +217,7 @@ def two_layers(_):
                        [2, 0, 0], [3, 0, 0], [2, 1, 0], [2, 0, 1]], np.float32)
     grid = gm.make_grid(points, [[0, 1, 2, 3], [4, 5, 6, 7]])
     add(grid.GetPointData(), np.float32([20, 21, 24, 29, 36, 45, 56, 69]), "T")
-    return grid, {"LayerArray": "T", "NumberOfLayers": 2, "LayerSpacing": 1}
+    return grid, {"Layers": ("T", -1, 2, 1)}
 
 
 def layers_of_odd_values(rng):
@@ -227,7 +227,7 @@ def layers_of_odd_values(rng):
     values = 0.1 * np.arange(len(points)) ** 2
     values[:40], values[::97], values[::89] = np.nan, np.inf, -np.inf
     add(grid.GetPointData(), values, "odd")
-    return grid, {"LayerArray": "odd", "NumberOfLayers": 5, "LayerSpacing": 3, "ChunkTets": 128}
+    return grid, {"Layers": ("odd", -1, 5, 3), "ChunkSize": 128}
 
 
 def layers_of_lengths(rng):
@@ -240,8 +240,7 @@ def layers_of_lengths(rng):
         add(grid.GetPointData(), single(np.cos(points + 0.1 * s)), "vector")
         add(grid.GetCellData(), np.arange(len(tets)) + s, "number")
         grids.append(grid)
-    return grids, {**ALL_KEPT, "LayerArray": "vector", "LayerComponent": -1, "NumberOfLayers": 6,
-                   "LayerSpacing": 2, "ChunkTets": 100, "KeyStepInterval": 2}
+    return grids, {**ALL_KEPT, "Layers": ("vector", -1, 6, 2), "ChunkSize": 100, "KeyStepInterval": 2}
 
 
 ALL = [

@@ -42,7 +42,7 @@ def time_steps(rng):
         add_texts(grid, "name", ["the same"])
         grids.append(grid)
     return grids, {
-        "times": [-1.5, 0.0, 0.1, 0.30000000000000004, 2.0, 1e3, 1e4], "KeyStepInterval": 5, "ChunkTets": 64, "KeepOrder": 7}
+        "times": [-1.5, 0.0, 0.1, 0.30000000000000004, 2.0, 1e3, 1e4], "KeyStepInterval": 5, "ChunkSize": 64, "KeepOrder": 7}
 
 
 def move(points, s):
@@ -80,13 +80,13 @@ def moving_grids(n, kind, digits, unused=5):
 def moving_points(_):
     """With scales at some steps, and a step at which points stay."""
     return moving_grids(3, np.float64, (-10, -10, -12, -12, -10, 3, None)), {
-        "KeyStepInterval": 3, "ChunkTets": 64, "KeepOrder": 7}
+        "KeyStepInterval": 3, "ChunkSize": 64, "KeepOrder": 7}
 
 
 def hierarchy_of_moving_points(_):
     """With a boundary."""
     return moving_grids(3, np.float32, (None,) * 4, unused=0), {
-        "Hierarchy": True, "WriteBoundary": True, "KeyStepInterval": 2, "ChunkTets": 64, "KeepOrder": 7}
+        "Hierarchy": True, "WriteBoundary": True, "KeyStepInterval": 2, "ChunkSize": 64, "KeepOrder": 7}
 
 
 def lattice(rng, n):
@@ -119,7 +119,7 @@ def series_of_meshes(rng):
             points, tets = meshes[which]
             grid = gm.make_grid(single(points), tets)
         grids.append(fill(grid, points, step))
-    return grids, {"KeepOrder": 7, "ChunkTets": 128}
+    return grids, {"KeepOrder": 7, "ChunkSize": 128}
 
 
 def series_of_hierarchies(rng):
@@ -168,14 +168,14 @@ def deleted_cells(rng):
         for kind, corners in cells:
             grid.InsertNextCell(kind, len(corners), [number[c] for c in corners])
         grids.append(fill(grid, places[kept], step))
-    return grids, {"KeepOrder": 7, "ChunkTets": 70}
+    return grids, {"KeepOrder": 7, "ChunkSize": 70}
 
 
 def moving_deleted_cells(rng):
     """Points move while cells die."""
     points, tets = lattice(rng, 3)
     return [left(points, tets, front, False, step, 0.1) for step, front in enumerate(FRONTS)], {
-        "KeyStepInterval": 3, "ChunkTets": 60}
+        "KeyStepInterval": 3, "ChunkSize": 60}
 
 
 def two_tets_and_one(_):

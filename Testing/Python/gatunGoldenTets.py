@@ -35,13 +35,13 @@ def only_points(rng):
 def chunks(rng):
     points, tets = cubes((4, 4, 4))
     points, tets = shuffle(single(jitter(points, rng)), tets, rng)
-    return add_usual(gm.make_grid(points, tets)), {"ChunkTets": 64}
+    return add_usual(gm.make_grid(points, tets)), {"ChunkSize": 64}
 
 
 def original_order(rng):
     points, tets = cubes((4, 4, 3))
     points, tets = shuffle(jitter(points, rng), tets, rng)
-    return add_usual(gm.make_grid(points, tets)), {"ChunkTets": 100, "KeepOrder": 7}
+    return add_usual(gm.make_grid(points, tets)), {"ChunkSize": 100, "KeepOrder": 7}
 
 
 def point_order(rng):
@@ -64,7 +64,7 @@ def unused_points(rng):
     points, tets = cubes((3, 3, 3))
     more = rng.random((30, 3))
     points = single(np.concatenate([more[:10], points, more[10:]]))
-    return add_usual(gm.make_grid(points, tets + 10)), {"KeepOrder": 7, "ChunkTets": 64}
+    return add_usual(gm.make_grid(points, tets + 10)), {"KeepOrder": 7, "ChunkSize": 64}
 
 
 def odd_coordinates(rng):
@@ -75,21 +75,21 @@ def odd_coordinates(rng):
     flat[strewn] = [np.nan, np.inf, -np.inf, -0.0, 1e308, 5e-324] * 4
     flat.view(np.uint64)[strewn[::6]] = 0x7FF8000000000000 + np.arange(4, dtype=np.uint64)
     flat.view(np.uint64)[strewn[12]] = 0xFFF0000000000001
-    return add_usual(gm.make_grid(points, tets)), {"KeepOrder": 7, "ChunkTets": 120}
+    return add_usual(gm.make_grid(points, tets)), {"KeepOrder": 7, "ChunkSize": 120}
 
 
 def any_tets(rng):
     points = single(rng.random((40, 3)))
     tets = rng.integers(0, 40, (300, 4))
     tets = np.concatenate([tets, tets[:20], tets[20:40, ::-1], np.zeros((2, 4), int)])
-    return add_usual(gm.make_grid(points, tets)), {"ChunkTets": 64, "KeepOrder": 7}
+    return add_usual(gm.make_grid(points, tets)), {"ChunkSize": 64, "KeepOrder": 7}
 
 
 def holes(rng):
     points, tets = cubes((6, 6, 6))
     tets = tets[rng.random(len(tets)) < 0.5]
     points = single(np.round(jitter(points, rng), 2))
-    return gm.make_grid(*shuffle(points, tets, rng)), {"ChunkTets": 200}
+    return gm.make_grid(*shuffle(points, tets, rng)), {"ChunkSize": 200}
 
 
 def many_neighbors(rng):
@@ -97,7 +97,7 @@ def many_neighbors(rng):
     points, tets = cubes((2, 2, 220), 5)
     tets[::17, 3] = len(points)
     points = np.concatenate([points, [[9, 9, 30]]])
-    return gm.make_grid(single(points), tets), {"ChunkTets": 64}
+    return gm.make_grid(single(points), tets), {"ChunkSize": 64}
 
 
 def around_a_point(sizes, rng):
@@ -147,7 +147,7 @@ def searches(n, fan, y, z, rng):
         tets += [[a, a + 1, order[i], order[i - 1]] for i in range(1, fan)]
         tets += [[a, *order[i : i + 3]] for i in range(fan - 1, n - 3, 3)]
     points = single(np.concatenate([points, hubs]))
-    return gm.make_grid(points, tets), {"ChunkTets": len(tets) // 2}
+    return gm.make_grid(points, tets), {"ChunkSize": len(tets) // 2}
 
 
 def searches_that_end(_):
@@ -168,7 +168,7 @@ def equal_ranks(_):
         middle = hubs[a - n : a - n + 2].mean(0)
         order = (((points - middle) ** 2).sum(1) + rng.random(n)).argsort()
         tets += [[a, a + 1, order[i], order[i - 1]] for i in range(n)]
-    return gm.make_grid(single(np.concatenate([points, hubs])), tets), {"ChunkTets": n}
+    return gm.make_grid(single(np.concatenate([points, hubs])), tets), {"ChunkSize": n}
 
 
 CORNERS = np.stack(np.meshgrid([0, 65535], [0, 65535], [0, 65535]), -1).reshape(-1, 3)

@@ -32,12 +32,12 @@ def read_meta(table):
     meta.points_move = flags & 2 != 0
     require(not meta.points_move or flags & 1 != 0, "motion without time")
     meta.keep = table.number("B")
-    meta.chunk_tets = table.varint()
+    meta.chunk_size = table.varint()
     meta.key_step_interval = table.varint()
     meta.box = table.ranges(3)
     require(meta.coordinate_type in (9, 10), "type of the coordinates")
     require(meta.keep <= 7, "kept order")
-    require(max(meta.chunk_tets, meta.key_step_interval) < 1 << 32, "number too large")
+    require(max(meta.chunk_size, meta.key_step_interval) < 1 << 32, "number too large")
     meta.arrays = []
     for _ in range(table.varint()):
         array = Record()

@@ -38,6 +38,7 @@ from describe_decoded import (
     cells_of_decoder, checksum_of, describe_core, describe_decoded, describe_volume)
 from gatun import vtkGatunWriter
 from gatunCells import described
+from gatunMeshes import set_options, set_tolerance
 from gatunGolden import gm
 from gatunTimeSource import TimeSource, connect
 from ghv_decoder import Volume
@@ -60,10 +61,9 @@ def write(path, inputs, times, errors, options):
     else:
         writer.SetInputDataObject(inputs[0])
     writer.SetFileName(path)
-    for name, value in options.items():
-        getattr(writer, "Set" + name)(value)
+    set_options(writer, **options)
     for error in errors:
-        writer.AddError(error)
+        set_tolerance(writer, error)
     assert writer.Write() == 1, path
 
 

@@ -28,12 +28,12 @@ def write(path, make, kind="vtkUnstructuredGrid", **options):
     writer.WriteAllTimeStepsOn()
     for name, value in options.items():
         getattr(writer, "Set" + name)(value)
-    assert writer.Write() == 1 and writer.GetWrittenMeshes() > 2
+    assert writer.Write() == 1 and gv.gm.statistic(writer, "Meshes") > 2
     return writer
 
 
 path = gv.gm.temporary("changing_pictures.gtn")
-for options in {"ChunkTets": 1000}, {"ChunkTets": 1000, "Hierarchy": True, "Levels": 2}:
+for options in {"ChunkSize": 1000}, {"ChunkSize": 1000, "Hierarchy": True, "Levels": 2}:
     write(path, step, **options)
     reader = vtkGatunReader()
     reader.SetFileName(path)
@@ -62,7 +62,7 @@ def skin(index):
     return surface.GetOutput()
 
 
-write(path, skin, "vtkPolyData", ChunkTets=300)
+write(path, skin, "vtkPolyData", ChunkSize=300)
 ours, theirs = pair(path)
 for index in (0, 1, 2, 4, 3, 2):
     ours.mapper.GetInputInformation().Set(Pipeline.UPDATE_TIME_STEP(), TIMES[index])

@@ -16,7 +16,7 @@ SIZE = (48, 36)
 VIEWS = ((1.2, 0.7), (-0.4, 0.2))
 
 path = gv.gm.temporary("damaged.gtn")
-gv.gm.write(gv.wave(8), path, ChunkTets=256)
+gv.gm.write(gv.wave(8), path, ChunkSize=256)
 with open(path, "rb") as file:
     GOOD = file.read()
 

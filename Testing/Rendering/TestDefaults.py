@@ -19,7 +19,7 @@ gm.add_array(grid.GetPointData(), values, "blob")
 gm.add_array(grid.GetPointData(), np.stack([values, -values, 0 * values], axis=1), "vector")
 gm.add_array(grid.GetCellData(), (np.arange(len(tets)) % 5).astype(np.int32), "label")
 path = gm.temporary("defaults.gtn")
-gm.write(grid, path, ChunkTets=512)
+gm.write(grid, path, ChunkSize=512)
 
 
 def make(source, **options):

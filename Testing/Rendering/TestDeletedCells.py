@@ -36,9 +36,9 @@ for drops in (False, True):
     writer = vtkGatunWriter()
     connect(writer, TimeSource(lambda index: step(index, drops), TIMES))
     writer.SetFileName(path)
-    writer.SetChunkTets(900)
+    writer.SetChunkSize(900)
     writer.WriteAllTimeStepsOn()
-    assert writer.Write() == 1 and writer.GetWrittenMeshes() == 1
+    assert writer.Write() == 1 and gv.gm.statistic(writer, "Meshes") == 1
     reader = vtkGatunReader()
     reader.SetFileName(path)
     scene = gv.Scene(reader)

@@ -17,8 +17,8 @@ POINTS = (N + 1) ** 3
 
 mesh = gv.wave(N)
 files = [gm.temporary(f"detail{i}.gtn") for i in range(2)]
-gm.write(mesh, files[0], ChunkTets=800, Hierarchy=True, Levels=5)
-gm.write(mesh, files[1], ChunkTets=800, Hierarchy=True)
+gm.write(mesh, files[0], ChunkSize=800, Hierarchy=True, Levels=5)
+gm.write(mesh, files[1], ChunkSize=800, Hierarchy=True)
 
 
 def make_reader(path):

@@ -52,9 +52,9 @@ def at(scene, rate):
 
 mesh = gv.wave(N)
 files = [gm.temporary(f"jit{i}.gtn") for i in range(3)]
-gm.write(mesh, files[0], ChunkTets=1500, Hierarchy=True)
-gm.write(mesh, files[1], ChunkTets=1500, Hierarchy=True, Levels=5)
-gm.write(mesh, files[2], ChunkTets=1500)
+gm.write(mesh, files[0], ChunkSize=1500, Hierarchy=True)
+gm.write(mesh, files[1], ChunkSize=1500, Hierarchy=True, Levels=5)
+gm.write(mesh, files[2], ChunkSize=1500)
 full = at(make(mesh), AT_REST)
 
 for path in files[:2]:
@@ -70,7 +70,7 @@ for path in files[:2]:
             gv.require_same(at(scene, AT_REST), expected)
             assert scene.mapper.GetNumberOfDrawnPoints() == POINTS - math.floor(POINTS * ratio)
         # By the reader, whose mesh is never made.
-        reader = make_reader(path, SimplificationTarget=1,
+        reader = make_reader(path,
                              SimplificationNumberOfPoints=POINTS - math.floor(POINTS * ratio))
         scene = make(reader)
         gv.require_same(at(scene, AT_REST), expected)

@@ -10,9 +10,9 @@ from gatun import vtkGatunReader
 grid = gv.box(16)
 expected = gv.draw(grid)
 gv.require_same(expected[0], expected[0])
-for options in ({"NumberOfLayers": 4}, {"NumberOfLayers": 40}, {"LayerArray": "vector"}):
+for layers in (("wave", -1, 4), ("wave", -1, 40), "vector"):
     name = gm.temporary("drawn-layers.gtn")
-    gm.write(grid, name, **{"LayerArray": "wave", "ChunkTets": 700, **options})
+    gm.write(grid, name, Layers=layers, ChunkSize=700)
     reader = vtkGatunReader()
     reader.SetFileName(name)
     for budget in (0, 512):
@@ -25,7 +25,7 @@ for options in ({"NumberOfLayers": 4}, {"NumberOfLayers": 40}, {"LayerArray": "v
 drawn = []
 for layers in ("wave", ""):
     name = gm.temporary("drawn-tree%s.gtn" % layers)
-    gm.write(grid, name, LayerArray=layers, ChunkTets=700, Hierarchy=True, Levels=2)
+    gm.write(grid, name, Layers=layers, ChunkSize=700, Hierarchy=True, Levels=2)
     reader = vtkGatunReader()
     reader.SetFileName(name)
     reader.SetSimplificationRatio(0.97)

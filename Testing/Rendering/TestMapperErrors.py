@@ -176,7 +176,7 @@ gv.require_same(scene.render(), RIGHT)
 
 # Files that are not there, are none, or are damaged: at their beginning, and in a chunk.
 path = gv.gm.temporary("mapper-errors.gtn")
-gv.gm.write(MESH, path, ChunkTets=1024)
+gv.gm.write(MESH, path, ChunkSize=1024)
 with open(path, "rb") as file:
     good = file.read()
 
@@ -248,7 +248,7 @@ class Stopper:
 
 
 big = gv.wave(34)
-gv.gm.write(big, path, ChunkTets=8192)
+gv.gm.write(big, path, ChunkSize=8192)
 elevation = vtkElevationFilter()
 elevation.SetInputDataObject(big)
 elevation.SetLowPoint(0, 0, 0)

@@ -28,7 +28,7 @@ def make_reader(path):
 
 mesh = gv.wave(30)
 path = gv.gm.temporary("mapper.gtn")
-gv.gm.write(mesh, path, ChunkTets=4096)
+gv.gm.write(mesh, path, ChunkSize=4096)
 size = os.path.getsize(path)
 reader = make_reader(path)
 scene = gv.Scene(reader)
@@ -78,18 +78,17 @@ assert close.mapper.GetBytesRead() > many
 
 # A region of interest is made by the reader, and then drawn.
 region = make_reader(path)
-region.UseBoxOn()
 region.SetBox(0, 0.1, 0, 0.1, 0, 0.1)
 part = gv.Scene(region)
 gv.require_same(part.render(), gv.Scene(region.GetOutput()).render())
 assert region.starts == 1
 assert part.mapper.GetDataSetInput().GetNumberOfCells() < mesh.GetNumberOfCells()
 assert part.mapper.GetBytesRead() == 0
-region.UseBoxOff()
+region.SetBox(1, -1, 1, -1, 1, -1)
 gv.require_same(part.render(), gv.Scene(mesh).render())
 
 # A reader that gives but the outline is drawn like any other, executed or not.
-region.SetOnDemand(1)
+region.SetLargeMesh(0)
 gv.require_same(part.render(), gv.Scene(mesh).render())
 region.Update()
 assert region.GetOutput().GetNumberOfCells() == 12

@@ -131,7 +131,6 @@ from_file.look(0.3, -0.5, parallel=True)
 require_same(from_file, whole)
 assert from_file.mapper.GetBytesRead() > 0
 pieces = gv.write(whole_grid, "parallel-pieces-%d.gtn" % rank, 100)
-pieces.SetUseBox(True)
 pieces.SetBox(-1, 2, -1, 2, -1, 2)
 for count in (1, 3):
     of_pieces = make(pieces, True)

@@ -56,7 +56,7 @@ def elevation():
 
 mesh = gv.wave(24)
 path = gv.gm.temporary("mapper-pieces.gtn")
-gv.gm.write(mesh, path, ChunkTets=8192)
+gv.gm.write(mesh, path, ChunkSize=8192)
 all_pieces = [(piece, PIECES) for piece in range(PIECES)]
 
 for make in elevation, vtkPointDataToCellData:
@@ -135,7 +135,6 @@ assert scene.mapper.GetDataSetInput().GetNumberOfCells() == mesh.GetNumberOfCell
 reader = vtkGatunReader()
 reader.SetFileName(path)
 reader.SetBox(0, 0.1, 0, 0.1, 0, 0.1)
-reader.UseBoxOn()
 part = gv.Scene(reader, NumberOfPieces=2)
 picture = part.render()
 assert reader.GetOutputInformation(0).Get(Pipeline.UPDATE_NUMBER_OF_PIECES()) == 2

@@ -93,7 +93,7 @@ def alone(source, size=(100, 100), prop=None, **options):
 
 
 path = gv.gm.temporary("mapper-windows.gtn")
-gv.gm.write(MESH, path, ChunkTets=1024)
+gv.gm.write(MESH, path, ChunkSize=1024)
 reader = vtkGatunReader()
 reader.SetFileName(path)
 left, right = (0, 0, 0.5, 1), (0.5, 0, 1, 1)

@@ -35,7 +35,7 @@ def write(path, **options):
     writer = vtkGatunWriter()
     writer.SetFileName(path)
     writer.WriteAllTimeStepsOn()
-    writer.SetChunkTets(1500)
+    writer.SetChunkSize(1500)
     for name, value in options.items():
         getattr(writer, "Set" + name)(value)
     connect(writer, TimeSource(grid_at, list(range(STEPS))))
@@ -87,7 +87,7 @@ def places_of(contour):
     return np.sort(vtk_to_numpy(contour.GetOutput().GetPoints().GetData()).astype(np.float64), 0)
 
 
-for options in ({}, {"OnDemand": True}):
+for options in ({}, {"LargeMesh": 0}):
     contour = vtkGatunContour()
     reader = make_reader(path, **options)
     contour.SetInputConnection(reader.GetOutputPort())
@@ -106,7 +106,7 @@ for options in ({}, {"OnDemand": True}):
 write(path, Hierarchy=True)
 for step in (0, 11, 5):
     simplify = vtkGatunSimplify()
-    reader = make_reader(path, OnDemand=True)
+    reader = make_reader(path, LargeMesh=0)
     simplify.SetInputConnection(reader.GetOutputPort())
     simplify.UpdateTimeStep(step)
     output = simplify.GetOutput()

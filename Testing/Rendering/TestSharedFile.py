@@ -124,7 +124,7 @@ def make_reader(path, **options):
 
 mesh = gv.wave(24)
 path = gm.temporary("shared.gtn")
-gm.write(mesh, path, ChunkTets=2000, Hierarchy=True)
+gm.write(mesh, path, ChunkSize=2000, Hierarchy=True)
 opens = Opens(path)
 
 # Each by itself, with a reader of its own: what all must give together.
@@ -156,12 +156,12 @@ consumers.surface()
 passed = consumers.contour.GetNumberOfChunksUsed()
 assert 0 < passed < chunks
 assert (handle.GetDecodedChunks(), handle.GetFoundChunks()) == (passed, 0)
-assert reader.GetDecodedChunks() == 0 and reader.GetOutput().GetNumberOfCells() == 0
+assert gm.statistic(reader, "DecodedChunks") == 0 and reader.GetOutput().GetNumberOfCells() == 0
 consumers.mesh()
-assert reader.GetDecodedChunks() == chunks - passed
+assert gm.statistic(reader, "DecodedChunks") == chunks - passed
 assert (handle.GetDecodedChunks(), handle.GetFoundChunks()) == (chunks, passed)
 read = handle.GetBytesRead()
-assert read == reader.GetBytesRead() == consumers.contour.GetBytesRead()
+assert read == gm.statistic(reader, "BytesRead") == consumers.contour.GetBytesRead()
 # The whole mesh is in the output of the reader, and what was decoded for it is not kept as well. The
 # ray caster and the mapper decode what is not kept, once each, into blocks of their own.
 consumers.cast()
@@ -203,10 +203,10 @@ reader.UpdateInformation()
 assert old.GetNumberOfMerges() == 0
 assert handle_of(reader).GetNumberOfMerges() == mesh.GetNumberOfPoints() // 2
 assert not handle_of(reader).GetIsOnDemand()
-reader.SetOnDemand(1)
+reader.SetLargeMesh(0)
 reader.UpdateInformation()
 assert handle_of(reader).GetIsOnDemand() and handle_of(reader).GetReason() == ""
-reader.SetUseBox(True)
+reader.SetBox(0, 1, 0, 1, 0, 1)
 reader.UpdateInformation()
 assert "region of interest" in handle_of(reader).GetReason()
 assert not handle_of(reader).GetIsOnDemand()
@@ -223,7 +223,7 @@ behind = make_contour(elevation)
 behind.SetInputArrayToProcess(0, 0, 0, 0, "Elevation")
 surface_of(behind)
 assert behind.GetNumberOfChunks() == 0 and elevation.GetOutput().GetNumberOfCells() > 0
-assert reader.GetDecodedChunks() == chunks
+assert gm.statistic(reader, "DecodedChunks") == chunks
 
 # The file changes: once more it is opened once, and nobody draws the old one.
 consumers = Consumers(make_reader(path))
@@ -231,7 +231,7 @@ for action in consumers.actions:
     action()
 first = handle_of(consumers.reader)
 other = gv.wave(10, seed=5)
-gm.write(other, path, ChunkTets=2000, Hierarchy=True)
+gm.write(other, path, ChunkSize=2000, Hierarchy=True)
 opens = Opens(path)
 alone = [Consumers(make_reader(path)).actions[i]() for i in range(5)]
 before = opens()

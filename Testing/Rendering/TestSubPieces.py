@@ -90,7 +90,7 @@ def write(n, name):
     grid = gm.make_grid(points, tets)
     wave = np.sin(4 * points[:, 0]) * np.cos(3 * points[:, 1]) + points[:, 2] ** 2
     gm.add_array(grid.GetPointData(), wave.astype(np.float32), "wave")
-    gm.write(grid, path, ChunkTets=8192)
+    gm.write(grid, path, ChunkSize=8192)
     return path
 
 

@@ -19,7 +19,7 @@ from gatunTimeSource import TimeSource, connect
 
 path = gm.temporary("chunks.gtn")
 surface = ball(120)
-gm.write(surface, path, ChunkTets=500)
+gm.write(surface, path, ChunkSize=500)
 
 
 def chunks_of(scene):
@@ -35,16 +35,16 @@ total = chunks_of(ours)
 few = ours.mapper.GetNumberOfDecodedChunks()
 assert total > 25 and 0 < few < total / 3, (few, total)
 assert ours.mapper.GetNumberOfDrawnChunks() == few
-before = ours.source.GetBytesRead()
+before = gm.statistic(ours.source, "BytesRead")
 ours.render()
-assert ours.mapper.GetNumberOfDecodedChunks() == few and ours.source.GetBytesRead() == before
+assert ours.mapper.GetNumberOfDecodedChunks() == few and gm.statistic(ours.source, "BytesRead") == before
 for scene in ours, theirs:
     scene.look(30, 20)
 require_equal(ours, theirs, "all")
 assert ours.mapper.GetNumberOfDecodedChunks() == total == ours.mapper.GetNumberOfDrawnChunks()
 
 # Those behind the camera neither.
-scene = Scene(pd.reader_of(path, OnDemand=1))
+scene = Scene(pd.reader_of(path, LargeMesh=0))
 scene.look()
 scene.camera.SetPosition(0, 0, 0)
 scene.camera.SetFocalPoint(1, 0, 0)
@@ -87,11 +87,11 @@ decoded = ours.mapper.GetNumberOfDecodedChunks()
 assert np.array_equal(ours.render(), whole)
 assert ours.mapper.GetNumberOfDecodedChunks() == decoded + total
 large = ball(250)
-gm.write(large, path, ChunkTets=5000)
+gm.write(large, path, ChunkSize=5000)
 whole = pd.read(path)
 budgets = []
 for budget in 1, 4, 512:
-    ours = Scene(pd.reader_of(path, OnDemand=1))
+    ours = Scene(pd.reader_of(path, LargeMesh=0))
     ours.mapper.SetMemoryBudget(budget)
     ours.look(20, 30)
     first = ours.render()
@@ -121,7 +121,7 @@ for budget in 1, 4, 512:
 assert budgets[0] > budgets[1] > 0 == budgets[2], budgets
 
 # Nothing stays in the cache of the reader.
-assert ours.source.GetCachedBytes() < 1 << 20
+assert gm.statistic(ours.source, "CachedBytes") < 1 << 20
 
 
 # Ids of a selection are those of the reader's output.
@@ -141,7 +141,7 @@ def select(scene, association):
 
 # Where points are close on the screen, the order of chunks decides which one is seen.
 for order in 0, 7:
-    gm.write(ball(16), path, ChunkTets=100, KeepOrder=order)
+    gm.write(ball(16), path, ChunkSize=100, KeepOrder=order)
     ours, theirs = pair(path)
     for scene in ours, theirs:
         scene.look(20, 30, zoom=1.5)
@@ -153,12 +153,12 @@ for order in 0, 7:
             order, association, len(one), len(other), len(one ^ other))
     # A picture after a selection.
     require_equal(ours, theirs, "selected")
-gm.write(surface, path, ChunkTets=500)
+gm.write(surface, path, ChunkSize=500)
 
 # Pieces are parts of the chunks.
 pictures = []
 for piece in range(3):
-    ours = Scene(pd.reader_of(path, OnDemand=1))
+    ours = Scene(pd.reader_of(path, LargeMesh=0))
     ours.mapper.SetNumberOfPieces(3)
     ours.mapper.SetPiece(piece)
     assert ours.actor.GetBounds() == surface.GetBounds()
@@ -183,9 +183,9 @@ writer = vtkGatunWriter()
 connect(writer, TimeSource(step, TIMES, "vtkPolyData"))
 writer.SetFileName(path)
 writer.SetWriteAllTimeSteps(True)
-writer.SetChunkTets(500)
+writer.SetChunkSize(500)
 assert writer.Write() == 1
-ours = Scene(pd.reader_of(path, OnDemand=1))
+ours = Scene(pd.reader_of(path, LargeMesh=0))
 seen = []
 for time in (None, 3.0, 1.0):
     if time is not None:
@@ -200,7 +200,7 @@ ours.source.SetPointArrayStatus("height", 0)
 assert np.abs(ours.render() - seen[2]).max() > 50
 
 # The same name, another file.
-gm.write(ball(20, 2), path, ChunkTets=500)
+gm.write(ball(20, 2), path, ChunkSize=500)
 theirs = Scene(pd.read(path), False)
 for scene in ours, theirs:
     scene.mapper.ScalarVisibilityOff()
@@ -208,10 +208,10 @@ for scene in ours, theirs:
 require_equal(ours, theirs, "changed")
 
 # A damaged chunk is told once, and the others are drawn.
-gm.write(surface, path, ChunkTets=500)
+gm.write(surface, path, ChunkSize=500)
 with open(path, "rb") as file:
     good = bytearray(file.read())
-scene = Scene(pd.reader_of(path, OnDemand=1))
+scene = Scene(pd.reader_of(path, LargeMesh=0))
 scene.mapper.ScalarVisibilityOff()
 scene.look()
 whole = scene.render()
@@ -221,7 +221,7 @@ at = meshes[len(meshes) // 4] + 40  # of the directory is the second half
 damaged[at:at + 8] = bytes(255 - b for b in damaged[at:at + 8])
 with open(path, "wb") as file:
     file.write(damaged)
-scene = Scene(pd.reader_of(path, OnDemand=1))
+scene = Scene(pd.reader_of(path, LargeMesh=0))
 scene.mapper.ScalarVisibilityOff()
 errors = gm.Errors(scene.mapper)
 scene.look()
@@ -236,7 +236,7 @@ with open(path, "wb") as file:
 assert np.array_equal(scene.render(), whole) and scene.mapper.GetErrorCode() == 0
 
 # An abort ends an image, and the next one is whole; progress is reported.
-scene = Scene(pd.reader_of(path, OnDemand=1))
+scene = Scene(pd.reader_of(path, LargeMesh=0))
 scene.mapper.ScalarVisibilityOff()
 scene.look()
 scene.progress = []

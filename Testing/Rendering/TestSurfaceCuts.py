@@ -13,11 +13,11 @@ from gatunSurfaceScene import Scene, ball, covered
 path = gm.temporary("cuts.gtn")
 surface = ball(160)
 points = surface.GetNumberOfPoints()
-gm.write(surface, path, ChunkTets=2000, Hierarchy=True, Levels=3)
+gm.write(surface, path, ChunkSize=2000, Hierarchy=True, Levels=3)
 
 
 def make(**options):
-    scene = Scene(pd.reader_of(path, OnDemand=1))
+    scene = Scene(pd.reader_of(path, LargeMesh=0))
     for name, value in options.items():
         getattr(scene.mapper, "Set" + name)(value)
     scene.look(30, 20)
@@ -175,14 +175,14 @@ assert 0 < scene.mapper.GetNumberOfDrawnPoints() < points / 50 and scene.mapper.
 strange = ball(60)
 for i in range(2000, 2040):
     strange.GetPoints().SetPoint(i, *3 * [float("nan")])
-gm.write(strange, path, ChunkTets=2000, Hierarchy=True, Levels=1)
-scene = Scene(pd.reader_of(path, OnDemand=1))
+gm.write(strange, path, ChunkSize=2000, Hierarchy=True, Levels=1)
+scene = Scene(pd.reader_of(path, LargeMesh=0))
 scene.look(30, 20, bounds=surface.GetBounds())
 scene.mapper.SetPixelError(1)
 assert covered(scene.render()) > 0.9 * covered(full) and scene.mapper.GetNumberOfDrawnPoints() > 0
 
 # A damaged file: an error, once, and never more than that.
-gm.write(surface, path, ChunkTets=2000, Hierarchy=True, Levels=3)
+gm.write(surface, path, ChunkSize=2000, Hierarchy=True, Levels=3)
 with open(path, "rb") as file:
     content = file.read()
 failed = 0
@@ -191,7 +191,7 @@ for place in range(1, 20):
     data[len(data) * place // 20] ^= 255
     with open(path, "wb") as file:
         file.write(data)
-    scene = Scene(pd.reader_of(path, OnDemand=1))
+    scene = Scene(pd.reader_of(path, LargeMesh=0))
     errors = gm.Errors(scene.mapper)
     scene.look(30, 20, bounds=surface.GetBounds())
     scene.window.SetDesiredUpdateRate(0.001)
@@ -208,8 +208,8 @@ with open(path, "wb") as file:
     file.write(content)
 
 # Without a hierarchy, an error in pixels is an error.
-gm.write(surface, path, ChunkTets=2000)
-scene = Scene(pd.reader_of(path, OnDemand=1))
+gm.write(surface, path, ChunkSize=2000)
+scene = Scene(pd.reader_of(path, LargeMesh=0))
 scene.look(30, 20)
 errors = gm.Errors(scene.mapper)
 scene.mapper.SetPixelError(1)

@@ -17,7 +17,7 @@ from gatunSurfaceScene import VIEWS, Scene, ball, pair, require_equal
 CHUNK = 1000
 path = gm.temporary("surface.gtn")
 surface = ball(40)
-gm.write(surface, path, ChunkTets=CHUNK)
+gm.write(surface, path, ChunkSize=CHUNK)
 both = ours, theirs = pair(path)
 
 
@@ -49,7 +49,7 @@ def same(what, share=0.0, views=VIEWS):
 assert ours.actor.GetBounds() == theirs.actor.GetBounds()
 plain = same("plain")
 assert ours.mapper.GetIsDrawingFile() and ours.mapper.GetErrorCode() == 0
-assert ours.source.GetDecodedChunks() == 0 and ours.source.GetOutput().GetNumberOfCells() == 12
+assert gm.statistic(ours.source, "DecodedChunks") == 0 and ours.source.GetOutput().GetNumberOfCells() == 12
 assert ours.mapper.GetNumberOfDrawnChunks() > 5
 
 # Colors.
@@ -143,13 +143,13 @@ theirs.window.Finalize()
 # Far from the origin, small and large: chunks fit together.
 for place, radius, kind in (((1e6, -2e6, 5e5), 1, np.float64), ((0, 0, 0), 1e-3, np.float32),
                             ((3e7, 0, 0), 1e4, np.float64)):
-    gm.write(ball(30, radius, place, kind), path, ChunkTets=CHUNK)
+    gm.write(ball(30, radius, place, kind), path, ChunkSize=CHUNK)
     both = ours, theirs = pair(path)
     same(("place", place, radius), 0.0005)
 
 # Cells of all lists, and without any.
 for what in pd.add_arrays(pd.mixed(30)), pd.make(np.zeros((0, 3))), pd.odd():
-    gm.write(what, path, ChunkTets=100)
+    gm.write(what, path, ChunkSize=100)
     both = ours, theirs = pair(path)
     if what.GetNumberOfPoints() > 100:
         same("mixed")

@@ -13,7 +13,7 @@ from gatunSurfaceScene import Scene, ball, covered, require_equal
 path = gm.temporary("motion.gtn")
 surface = ball(160)
 points = surface.GetNumberOfPoints()
-gm.write(surface, path, ChunkTets=2000, Hierarchy=True, Levels=5)
+gm.write(surface, path, ChunkSize=2000, Hierarchy=True, Levels=5)
 
 
 def move(scene, budget, frames=1):
@@ -37,7 +37,7 @@ def far(one, other):
 
 # Off: all of it in motion, too.
 whole = Scene(pd.read(path), False)
-scene = Scene(pd.reader_of(path, OnDemand=1))
+scene = Scene(pd.reader_of(path, LargeMesh=0))
 for one in whole, scene:
     one.look(30, 20)
 full = require_equal(scene, whole, "at rest")
@@ -66,7 +66,7 @@ assert seen[-1] == 0, seen
 assert np.array_equal(scene.render(), full)
 
 # An interaction is the first thing that is drawn: the whole is never decoded.
-scene = Scene(pd.reader_of(path, OnDemand=1))
+scene = Scene(pd.reader_of(path, LargeMesh=0))
 scene.mapper.JustInTimeOn()
 scene.look(30, 20)
 first = move(scene, 1e-6)
@@ -88,7 +88,7 @@ assert covered(move(scene, 1e-6, 3)) > 0.9 * covered(full)
 assert scene.mapper.GetBufferBytes() <= 1 << 20
 
 # Fewer points in all images, as the reader would make them.
-scene = Scene(pd.reader_of(path, OnDemand=1))
+scene = Scene(pd.reader_of(path, LargeMesh=0))
 scene.look(30, 20)
 total = scene.source.GetChunkTable().GetNumberOfRows()
 for ratio in 0.4, 0.4 + 2.0 / points, 0.3, 0.9, 0:
@@ -105,8 +105,8 @@ for ratio in 0.4, 0.4 + 2.0 / points, 0.3, 0.9, 0:
     assert scene.mapper.GetNumberOfDrawnPoints() == (points - int(points * ratio) if ratio else 0)
 
 # Without base meshes, levels are made by merges.
-gm.write(surface, path, ChunkTets=2000, Hierarchy=True)
-scene = Scene(pd.reader_of(path, OnDemand=1))
+gm.write(surface, path, ChunkSize=2000, Hierarchy=True)
+scene = Scene(pd.reader_of(path, LargeMesh=0))
 scene.mapper.JustInTimeOn()
 scene.look(30, 20)
 coarse = move(scene, 1e-6)
@@ -115,8 +115,8 @@ assert covered(coarse) > 0.9 * covered(full)
 assert np.array_equal(rest(scene), full)
 
 # Without a hierarchy, nothing is simplified, and a ratio is an error.
-gm.write(surface, path, ChunkTets=2000)
-scene = Scene(pd.reader_of(path, OnDemand=1))
+gm.write(surface, path, ChunkSize=2000)
+scene = Scene(pd.reader_of(path, LargeMesh=0))
 scene.mapper.JustInTimeOn()
 scene.look(30, 20)
 assert np.array_equal(move(scene, 1e-6), full) and scene.mapper.GetNumberOfDrawnPoints() == 0

@@ -99,7 +99,7 @@ class Scene:
 
 def pair(path, whole=None, **options):
     """The same file drawn on demand by ours, and as a whole by VTK's mapper."""
-    ours = Scene(pd.reader_of(path, OnDemand=1))
+    ours = Scene(pd.reader_of(path, LargeMesh=0))
     theirs = Scene(whole if whole else pd.read(path), False)
     return ours, theirs
 

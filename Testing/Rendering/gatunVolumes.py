@@ -66,7 +66,7 @@ def write(grid, name, chunk):
     """Into a file; returns a reader of it."""
     reader = vtkGatunReader()
     reader.SetFileName(gm.temporary(name))
-    gm.write(grid, reader.GetFileName(), ChunkTets=chunk)
+    gm.write(grid, reader.GetFileName(), ChunkSize=chunk)
     return reader
 
 

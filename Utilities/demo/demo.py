@@ -66,7 +66,7 @@ class Demo:
     def pack(self, original, chunk):
         """Packs and reads the mesh, or its last time step."""
         self.original, self.panels = original, []
-        _, seconds = gtn(f"pack -f -q --chunk {chunk}", original, "demo.gtn")
+        _, seconds = gtn(f"pack -f -q --chunk-size {chunk}", original, "demo.gtn")
         print(f"Packed in {seconds:.1f} s\n{gtn('verify demo.gtn', original)[0]}", end="")
         self.reader, self.whole = new(vtkGatunReader, FileName="demo.gtn"), vtk.vtkUnstructuredGrid()
         self.whole.ShallowCopy(output_of(self.reader))
@@ -174,7 +174,7 @@ class Demo:
                  draw("render", "skin.gtn", *colors)[1])
 
     def bound_errors(self):
-        gtn("pack -q -f --error *=rel:1e-3", self.original, "bounded.gtn")
+        gtn("pack -q -f --tolerance *=rel:1e-3", self.original, "bounded.gtn")
         gtn("verify -q bounded.gtn", self.original)
         size, exact = os.path.getsize("bounded.gtn"), os.path.getsize("demo.gtn")
         self.add("Values with a bounded error", f"0.1 % of the range at most, checked: {size / 1e6:.2f} MB, "

@@ -27,7 +27,7 @@ vtkGatunFileHandle* GetHandle(vtkAlgorithm* source)
 PieceSource::PieceSource(vtkSmartPointer<vtkGatunMeshReader> reader)
   : OtherFile(std::move(reader))
 {
-  this->OtherFile->SetOnDemand(vtkGatunMeshReader::ON_DEMAND_ALWAYS);
+  this->OtherFile->SetLargeMesh(0);
 }
 
 PieceSource::~PieceSource() = default;
@@ -74,7 +74,7 @@ vtkAlgorithm* PieceSource::Connect(
   {
     this->OwnFile->SetFile(nullptr, nullptr);
     this->OtherFile->SetFileName(file.Path.c_str());
-    this->OtherFile->SetSimplificationTarget(vtkGatunMeshReader::TARGET_RATIO);
+    this->OtherFile->SetSimplificationNumberOfPoints(0);
     this->OtherFile->UpdateInformation();
     vtkGatunFileHandle* const whole = GetHandle(this->OtherFile);
     if (!whole || !whole->GetIsOpen())
@@ -83,7 +83,6 @@ vtkAlgorithm* PieceSource::Connect(
     }
     if (file.Merges > 0)
     {
-      this->OtherFile->SetSimplificationTarget(vtkGatunMeshReader::TARGET_NUMBER_OF_POINTS);
       this->OtherFile->SetSimplificationNumberOfPoints(whole->GetNumberOfPoints() - file.Merges);
     }
   }

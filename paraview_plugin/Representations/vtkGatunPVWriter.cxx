@@ -3,6 +3,7 @@
 
 #include "vtkGatunPVWriter.h"
 
+#include "gatunErrorBound.h"
 #include "vtkGatunReader.h"
 #include "vtkGatunSurfaceReader.h"
 
@@ -40,7 +41,61 @@ vtkGatunPVWriter::~vtkGatunPVWriter() = default;
 //------------------------------------------------------------------------------
 void vtkGatunPVWriter::SetLayerArray(const char* name)
 {
-  this->Superclass::SetLayerArray(name && std::strcmp(name, "(none)") == 0 ? nullptr : name);
+  const char* const array = name && std::strcmp(name, "(none)") == 0 ? nullptr : name;
+  this->SetLayers(array, this->LayerComponent, this->NumberOfLayers, this->LayerSpacing);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunPVWriter::SetLayerComponent(int component)
+{
+  this->SetLayers(this->GetLayerArray(), component, this->NumberOfLayers, this->LayerSpacing);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunPVWriter::SetNumberOfLayers(int number)
+{
+  this->SetLayers(this->GetLayerArray(), this->LayerComponent, number, this->LayerSpacing);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunPVWriter::SetLayerSpacing(int spacing)
+{
+  this->SetLayers(this->GetLayerArray(), this->LayerComponent, this->NumberOfLayers, spacing);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunPVWriter::AddArrayToleranceText(const char* text)
+{
+  if (!text || !*text)
+  {
+    return;
+  }
+  try
+  {
+    const gatun::ArrayError error = gatun::ParseError(text);
+    this->SetArrayTolerance(error.Array.c_str(), static_cast<int>(error.Bound.Kind),
+      error.Bound.Bound, error.Bound.KeepZeros);
+  }
+  catch (const std::exception& e)
+  {
+    vtkErrorMacro(<< e.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunPVWriter::SetPointToleranceText(const char* text)
+{
+  const std::string given = text ? text : "";
+  const auto bound = gatun::ParseBound(given);
+  if (!bound && !given.empty())
+  {
+    vtkErrorMacro(<< "the tolerance of coordinates '" << given
+                  << "' is none of abs:E, rel:E and bits:N");
+    return;
+  }
+  this->PointToleranceText = given;
+  this->SetPointTolerance(
+    bound ? static_cast<int>(bound->Kind) : int{ TOLERANCE_NONE }, bound ? bound->Bound : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -70,8 +125,7 @@ int vtkGatunPVWriter::Write()
 //------------------------------------------------------------------------------
 int vtkGatunPVWriter::WriteFile()
 {
-  const bool needsWhole =
-    this->Hierarchy || this->WriteBoundary || (this->LayerArray && *this->LayerArray);
+  const bool needsWhole = this->Hierarchy || this->WriteBoundary || this->GetLayerArray();
   return needsWhole && this->Controller && this->Controller->GetNumberOfProcesses() > 1
     ? this->WriteWhole(this->FileName)
     : this->Superclass::Write();
@@ -83,7 +137,7 @@ int vtkGatunPVWriter::WriteFile()
 int vtkGatunPVWriter::WriteWhole(const std::string& name)
 {
   const std::string parts = name + ".parts";
-  const std::string layers = this->LayerArray ? this->LayerArray : "";
+  const std::string layers = this->LayerArray;
   const bool hasTree = this->Hierarchy;
   const bool hasBoundary = this->WriteBoundary;
   const int order = this->KeepOrder;
@@ -116,20 +170,14 @@ int vtkGatunPVWriter::WriteWhole(const std::string& name)
     writer->SetInputConnection(reader->GetOutputPort());
     writer->SetFileName(name.c_str());
     writer->SetKeepOrder(order);
-    writer->SetChunkTets(this->ChunkTets);
+    writer->SetChunkSize(this->ChunkSize);
     writer->SetKeyStepInterval(this->KeyStepInterval);
     writer->SetHierarchy(hasTree);
     writer->SetFastArrays(this->FastArrays);
     writer->SetLevels(this->Levels);
-    writer->SetWriteDependencies(this->WriteDependencies);
     writer->SetWriteBoundary(hasBoundary);
-    writer->SetMetric(this->Metric);
-    writer->SetBoundaryWeight(this->BoundaryWeight);
-    writer->SetLayerArray(layers.c_str());
-    writer->SetLayerComponent(this->LayerComponent);
-    writer->SetNumberOfLayers(this->NumberOfLayers);
-    writer->SetLayerSpacing(this->LayerSpacing);
-    writer->SetReplaceReadOnly(this->ReplaceReadOnly);
+    writer->SetLayers(
+      layers.c_str(), this->LayerComponent, this->NumberOfLayers, this->LayerSpacing);
     writer->SetWriteAllTimeSteps(true); // those of the file
     succeeded = writer->Write();
     this->SetErrorCode(writer->GetErrorCode());

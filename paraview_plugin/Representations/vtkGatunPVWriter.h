@@ -55,9 +55,27 @@ public:
   vtkGetMacro(TimeStepStride, int);
   ///@}
 
-  /** The same as the method of the superclass, but "(none)", the choice in the panel, is no array.
+  ///@{
+  /**
+   * What SetLayers of the superclass takes, one by one. "(none)", the choice in the panel, is no
+   * array.
    */
-  void SetLayerArray(const char* name) override;
+  void SetLayerArray(const char* name);
+  void SetLayerComponent(int component);
+  void SetNumberOfLayers(int number);
+  void SetLayerSpacing(int spacing);
+  ///@}
+
+  ///@{
+  /**
+   * Tolerances as texts: "NAME=abs:E", "NAME=rel:E", "NAME=pw:E" or "NAME=bits:N" of an array, with
+   * ",zeros" at the end if values of 0 stay exact; "abs:E", "rel:E" or "bits:N" of coordinates, and
+   * an empty text for none. Another text is an error.
+   */
+  void AddArrayToleranceText(const char* text);
+  void SetPointToleranceText(const char* text);
+  vtkGetMacro(PointToleranceText, std::string);
+  ///@}
 
   /**
    * Writes the file, or the series. A series ends at the first file that fails; those before it
@@ -69,6 +87,7 @@ protected:
   vtkGatunPVWriter();
   ~vtkGatunPVWriter() override;
 
+  std::string PointToleranceText;
   bool WriteTimeSteps = false;
   int MinTimeStep = 0;
   int MaxTimeStep = -1;

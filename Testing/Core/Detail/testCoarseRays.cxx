@@ -54,7 +54,7 @@ protected:
       this->Mesh.CellValues = cellValues;
     }
     WriterOptions options;
-    options.ChunkTets = chunkTets;
+    options.ChunkSize = chunkTets;
     options.Tree = &this->Tree;
     options.Levels = levels;
     const auto path = TempPath(

@@ -130,7 +130,7 @@ protected:
     std::vector<ArrayDescription> arrays(1);
     arrays[0].Type = ScalarType::Float64;
     WriterOptions options;
-    options.ChunkTets = 500;
+    options.ChunkSize = 500;
     options.Tree = &this->Tree;
     options.Levels = GetParam() == Origin::File ? 0 : 5;
     const auto path = TempPath(GetParam() == Origin::File ? "detail.gtn" : "bases.gtn");

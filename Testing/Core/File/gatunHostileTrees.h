@@ -31,7 +31,7 @@ inline const TreeImage& GetGoodImage()
   {
     const auto path = GetPath("sample.gtn");
     WriterOptions options;
-    options.ChunkTets = 64;
+    options.ChunkSize = 64;
     options.Keep = KeepAll;
     const auto sample = MakeTreeSample(3, Steps);
     const auto merges = static_cast<std::uint32_t>(sample.Tree.GetMerges().size());

@@ -65,7 +65,7 @@ std::shared_ptr<const FileReader> WriteSteps(const TestMesh& mesh)
 {
   const auto path = GetPath("copies.gtn");
   WriterOptions options;
-  options.ChunkTets = 200;
+  options.ChunkSize = 200;
   options.Keep = KeepAll;
   options.KeyStepInterval = 5;
   FileWriter writer(path, mesh.GetInput(), DescribeArrays(), options);

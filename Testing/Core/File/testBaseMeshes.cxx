@@ -24,7 +24,7 @@ TEST(TreeFile, BaseMeshesAreWhatIsLeft)
   const auto tree = BuildTree(mesh);
   const auto path = TempPath("levels.gtn");
   WriterOptions options;
-  options.ChunkTets = 5000;
+  options.ChunkSize = 5000;
   options.Tree = &tree;
   options.Levels = 8;
   Write(path, mesh, options, 2);

@@ -28,7 +28,7 @@ std::string Write(const Mixture& mesh, std::uint8_t keep, std::uint32_t chunkTet
 {
   auto path = GetPath("cells.gtn");
   WriterOptions options;
-  options.ChunkTets = chunkTets;
+  options.ChunkSize = chunkTets;
   options.Keep = keep;
   const std::vector<ArrayDescription> arrays{ { "cell", Association::Cell, ScalarType::Int32, 1, 0,
                                                 0, {} },

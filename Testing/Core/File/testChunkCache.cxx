@@ -49,7 +49,7 @@ std::shared_ptr<const FileReader> MakeFile(
   arrays[2].Name = "few";
   arrays[2].Components = 2;
   WriterOptions options;
-  options.ChunkTets = chunkTets;
+  options.ChunkSize = chunkTets;
   options.Keep = keep;
   options.KeyStepInterval = 19;
   FileWriter writer(path, mesh.GetInput(), arrays, options);

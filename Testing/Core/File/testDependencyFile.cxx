@@ -31,7 +31,7 @@ using namespace gatun::test;
 WriterOptions MakeOptions(const MergeTree& tree, bool dependencies = true, unsigned levels = 0)
 {
   WriterOptions options;
-  options.ChunkTets = 4000;
+  options.ChunkSize = 4000;
   options.Tree = &tree;
   options.Levels = levels;
   options.Dependencies = dependencies;

@@ -32,7 +32,7 @@ TEST(File, KeepsEveryCellAndPointWithoutOrder)
   const auto mesh = MakeCubes(9, 0.2);
   const auto path = TempPath("plain.gtn");
   WriterOptions options;
-  options.ChunkTets = 300;
+  options.ChunkSize = 300;
   Write(path, mesh, options);
   const auto file = std::make_shared<FileReader>(path);
   EXPECT_GT(file->GetChunks().size(), 10u);
@@ -49,7 +49,7 @@ TEST(File, RestoresTheOriginalOrder)
   {
     const auto path = TempPath("ordered.gtn");
     WriterOptions options;
-    options.ChunkTets = 256;
+    options.ChunkSize = 256;
     options.Keep = KeepAll;
     Write(path, mesh, options);
     const auto file = std::make_shared<FileReader>(path);
@@ -69,7 +69,7 @@ TEST(File, PiecesTogetherAreTheWhole)
   const auto mesh = MakeCubes(10, 0.2);
   const auto path = TempPath("pieces.gtn");
   WriterOptions options;
-  options.ChunkTets = 400;
+  options.ChunkSize = 400;
   Write(path, mesh, options);
   const auto file = std::make_shared<FileReader>(path);
   const auto chunks = file->GetChunks().size();
@@ -108,7 +108,7 @@ TEST(File, GhostsAreTheCellsAroundAPiece)
   const auto mesh = MakeCubes(9, 0.2);
   const auto path = TempPath("ghosts.gtn");
   WriterOptions options;
-  options.ChunkTets = 350;
+  options.ChunkSize = 350;
   options.Keep = KeepAll; // so that global ids are those of the input
   Write(path, mesh, options);
   const auto file = std::make_shared<FileReader>(path);
@@ -173,7 +173,7 @@ TEST(File, PiecesOfAUniverseAreItsMesh)
   {
     const auto path = TempPath("universe.gtn");
     WriterOptions options;
-    options.ChunkTets = 150;
+    options.ChunkSize = 150;
     Write(path, mesh, options);
     const auto file = std::make_shared<FileReader>(path);
     const auto chunks = static_cast<std::uint32_t>(file->GetChunks().size());
@@ -246,7 +246,7 @@ TEST(File, EveryTimeStepIsReachedInAnyOrder)
   const auto mesh = MakeCubes(7, 0.2);
   const auto path = TempPath("steps.gtn");
   WriterOptions options;
-  options.ChunkTets = 500;
+  options.ChunkSize = 500;
   options.Keep = KeepAll;
   options.KeyStepInterval = 4;
   Write(path, mesh, options, 11);
@@ -325,7 +325,7 @@ TEST(File, AbortLeavesTheOldFile)
   const auto size = std::filesystem::file_size(path);
   const auto mesh = MakeCubes(8, 0.1);
   WriterOptions options;
-  options.ChunkTets = 64;
+  options.ChunkSize = 64;
   EXPECT_THROW(FileWriter(path, mesh.GetInput(), {}, options, [](double) { return false; }), Error);
   EXPECT_EQ(std::filesystem::file_size(path), size);
   for (const auto& entry : std::filesystem::directory_iterator(GATUN_TEST_TEMP))
@@ -364,7 +364,7 @@ TEST(File, DetectsEveryTruncationAndEveryFlippedByte)
   const auto mesh = MakeCubes(3, 0.2);
   const auto path = TempPath("damage.gtn");
   WriterOptions options;
-  options.ChunkTets = 64;
+  options.ChunkSize = 64;
   options.Keep = KeepAll;
   Write(path, mesh, options);
   std::ifstream in(path, std::ios::binary);

@@ -63,7 +63,7 @@ TEST(HostileBaseMeshes, ABaseMeshMustBeWhatIsLeft)
   const auto& good = GetGoodImage();
   const auto sample = MakeTreeSample(3, Steps);
   WriterOptions options;
-  options.ChunkTets = 64;
+  options.ChunkSize = 64;
   const auto path = GetPath("level.gtn");
   const auto merges = good.Tree.Levels[1];
   const auto expectRefused = [&](const TreeSample& other, std::size_t after)

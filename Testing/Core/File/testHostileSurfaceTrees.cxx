@@ -20,7 +20,7 @@ const TreeImage& GetGoodSurface()
   {
     const auto path = GetPath("surface_sample.gtn");
     WriterOptions options;
-    options.ChunkTets = 64;
+    options.ChunkSize = 64;
     options.Keep = KeepAll;
     const auto sample = MakeSurfaceSample(14, 8, Steps);
     const auto merges = sample.Tree.GetMerges().size();

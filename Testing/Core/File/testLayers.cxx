@@ -75,7 +75,7 @@ struct LayerRow
   Layers Write(const std::string& path, std::uint32_t count, LayerSpacing spacing) const
   {
     WriterOptions options;
-    options.ChunkTets = 64;
+    options.ChunkSize = 64;
     options.Layers = Ask(this->Numbers.data(), count, spacing);
     FileWriter writer(path, this->Mesh.GetInput(), { this->Description }, options);
     const void* values[] = { this->Numbers.data() };
@@ -208,7 +208,7 @@ TEST(Layers, OneMeshIsReadWhicheverWayItIsOrganised)
       for (const std::uint8_t keep : { KeepNone, KeepAll })
       {
         WriterOptions options;
-        options.ChunkTets = 200;
+        options.ChunkSize = 200;
         options.Keep = keep;
         WriteLayered(path, mesh, count, spacing, options);
         const auto file = std::make_shared<FileReader>(path);
@@ -234,7 +234,7 @@ TEST(Layers, PiecesWithGhostsMakeTheWhole)
   const auto mesh = MakeCubes(7, 0.3);
   const auto path = GetPath("layers.gtn");
   WriterOptions options;
-  options.ChunkTets = 200;
+  options.ChunkSize = 200;
   WriteLayered(path, mesh, 5, LayerSpacing::Histogram, options);
   const auto file = std::make_shared<FileReader>(path);
   PieceDecoder decoder(file);
@@ -282,7 +282,7 @@ TEST(Layers, AValueIsInFewerChunks)
   {
     const auto path = GetPath("some.gtn");
     WriterOptions options;
-    options.ChunkTets = 1024;
+    options.ChunkSize = 1024;
     if (layered)
     {
       WriteLayered(path, mesh, 8, LayerSpacing::Histogram, options);
@@ -312,7 +312,7 @@ TEST(Layers, NoChunkIsTinyHoweverManyLayersThereAre)
   const auto mesh = MakeCubes(14, 0.3);
   const auto path = GetPath("many.gtn");
   WriterOptions options;
-  options.ChunkTets = 1600;
+  options.ChunkSize = 1600;
   for (const std::uint32_t count : { 20u, 200u, 4096u })
   {
     WriteLayered(path, mesh, count, LayerSpacing::Uniform, options);
@@ -332,7 +332,7 @@ TEST(Layers, TheFileTellsThem)
   const auto path = GetPath("layers.gtn");
   const Values values(mesh);
   WriterOptions options;
-  options.ChunkTets = 256;
+  options.ChunkSize = 256;
   Write(path, mesh, options);
   EXPECT_FALSE(FileReader(path).HasLayers());
   EXPECT_TRUE(FileReader(path).GetLayers().Chunks.empty());
@@ -371,7 +371,7 @@ TEST(Layers, ThoseOfTheFirstStepAreForAll)
   const auto mesh = MakeCubes(7, 0.3);
   const auto path = GetPath("steps.gtn");
   WriterOptions options;
-  options.ChunkTets = 256;
+  options.ChunkSize = 256;
   WriteLayered(path, mesh, 6, LayerSpacing::Histogram, options, 4);
   const auto file = std::make_shared<FileReader>(path);
   EXPECT_TRUE(VerifyFile(*file));
@@ -478,7 +478,7 @@ TEST(Layers, BaseMeshesHaveThemToo)
   sample.BuildTree({ values.Field.begin(), values.Field.end() });
   const auto path = GetPath("levels.gtn");
   WriterOptions options;
-  options.ChunkTets = 1024;
+  options.ChunkSize = 1024;
   options.Tree = &sample.Tree;
   options.Levels = 4;
   WriteLayered(path, mesh, 5, LayerSpacing::Histogram, options);
@@ -560,7 +560,7 @@ TEST(Layers, AStepOfOtherValuesIsRefused)
   const Values values(mesh);
   const Values others(mesh, 2);
   WriterOptions options;
-  options.ChunkTets = 100;
+  options.ChunkSize = 100;
   options.Layers = Ask(values.Field.data(), 4);
   FileWriter writer(GetPath("never.gtn"), mesh.GetInput(), Values::Describe(), options);
   EXPECT_THROW(writer.WriteStep(others.Get()), Error);
@@ -571,7 +571,7 @@ TEST(Layers, WhatPiecesTakeAddsUp)
   const auto mesh = MakeCubes(8, 0.3);
   const auto path = GetPath("layers.gtn");
   WriterOptions options;
-  options.ChunkTets = 256;
+  options.ChunkSize = 256;
   WriteLayered(path, mesh, 5, LayerSpacing::Histogram, options, 2);
   const FileReader file(path);
   std::vector<std::uint32_t> chunks(file.GetChunks().size());

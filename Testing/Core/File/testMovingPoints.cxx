@@ -65,7 +65,7 @@ TestMesh MakeMesh()
 std::string WriteMoving(const TestMesh& mesh, WriterOptions options = {})
 {
   auto path = GetPath("moving.gtn");
-  options.ChunkTets = 200;
+  options.ChunkSize = 200;
   options.Keep = KeepAll;
   options.KeyStepInterval = 5;
   options.PointsMove = true;
@@ -217,7 +217,7 @@ TEST(MovingPoints, AreContoured)
     const auto path = GetPath("alone.gtn");
     {
       WriterOptions options;
-      options.ChunkTets = 200;
+      options.ChunkSize = 200;
       FileWriter writer(path, moved.GetInput(), Values::Describe(), options);
       writer.WriteStep(Values(mesh, 0.25 * static_cast<double>(step)).Get());
       writer.Finish();

@@ -142,7 +142,7 @@ std::vector<std::string> WriteTogether(const std::string& path, const Processes&
 PartWriterOptions MakeProcessOptions(std::uint8_t keep)
 {
   PartWriterOptions options;
-  options.File.ChunkTets = 200;
+  options.File.ChunkSize = 200;
   options.File.KeyStepInterval = 3;
   options.File.Keep = keep;
   return options;

@@ -24,7 +24,7 @@ using namespace gatun::test;
 PartWriterOptions MakePartOptions(std::uint8_t keep = KeepNone)
 {
   PartWriterOptions options;
-  options.File.ChunkTets = 200;
+  options.File.ChunkSize = 200;
   options.File.Keep = keep;
   return options;
 }
@@ -103,12 +103,13 @@ void ExpectMesh(const std::string& path, const PartMesh& mesh, int step)
   EXPECT_EQ(ListCells(back.Mesh, back.Values) == ListCells(mesh, PartValues(mesh, step)), true);
 }
 
-void ExpectJoined(const PartMesh& mesh, bool all)
+/** byIds: by global ids, wherever the points are. */
+void ExpectJoined(const PartMesh& mesh, bool byIds)
 {
   const auto whole = GetPath("whole.gtn");
   const auto path = GetPath("parts.gtn");
   auto options = MakePartOptions();
-  options.JoinAllPoints = all;
+  options.JoinByIdsOnly = byIds;
   WriteWhole(whole, mesh, options.File);
   ExpectMesh(whole, mesh, 0);
   for (const std::size_t parts : { 1, 2, 7, 20 })
@@ -118,7 +119,7 @@ void ExpectJoined(const PartMesh& mesh, bool all)
       SCOPED_TRACE(std::to_string(parts) + (randomly ? " at random" : " slabs"));
       const auto divided =
         Divide(mesh, parts, randomly ? DealRandomly(mesh, parts, 3) : DealSlabs(mesh, parts, 8));
-      for (const bool withIds : { false, true })
+      for (const bool withIds : { byIds, true })
       {
         const auto statistics = WriteParts(path, divided, options, 1, withIds);
         ExpectMesh(path, mesh, 0);
@@ -140,7 +141,7 @@ TEST(PartWriter, JoinsTetrahedra)
   ExpectJoined(MakePartMesh(cubes), false);
 }
 
-TEST(PartWriter, JoinsNonmanifoldTetrahedraWhereAllPointsAreCompared)
+TEST(PartWriter, JoinsNonmanifoldTetrahedraByIds)
 {
   auto soup = MakeSoup(100, 400);
   soup.Coordinates.resize(3 * 100);
@@ -163,7 +164,7 @@ TEST(PartWriter, JoinsNodesOfQuadraticCells)
   ExpectJoined(MakePartMesh(MakeQuadraticGrid(4)), false);
 }
 
-TEST(PartWriter, JoinsMixturesWhereAllPointsAreCompared)
+TEST(PartWriter, JoinsMixturesByIds)
 {
   ExpectJoined(MakePartMesh(Mixture(6)), true);
 }
@@ -220,7 +221,7 @@ TEST(PartWriter, FilesOfPartsAreLittleLarger)
 {
   const auto mesh = MakePartMesh(MakeCubes(24, 0.2));
   PartWriterOptions options;
-  options.File.ChunkTets = 10000;
+  options.File.ChunkSize = 10000;
   WriteWhole(GetPath("whole.gtn"), mesh, options.File);
   WriteParts(GetPath("parts.gtn"), Divide(mesh, 8, DealSlabs(mesh, 8, 24)), options);
   EXPECT_LT(static_cast<double>(std::filesystem::file_size(GetPath("parts.gtn"))),
@@ -498,8 +499,8 @@ TEST(PartWriter, UnusedPointsAreThoseOfOtherParts)
     part.PointIds = mesh.PointIds;
   }
   auto options = MakePartOptions(KeepAll);
-  options.JoinAllPoints = true;
-  WriteParts(GetPath("parts.gtn"), parts, options, 2);
+  options.JoinByIdsOnly = true;
+  WriteParts(GetPath("parts.gtn"), parts, options, 2, true);
   ExpectMesh(GetPath("parts.gtn"), mesh, 0);
   ExpectMesh(GetPath("parts.gtn"), mesh, 1);
 }

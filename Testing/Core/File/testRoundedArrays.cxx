@@ -114,7 +114,7 @@ std::shared_ptr<const FileReader> Write(
 {
   const auto path = GetPath("rounded.gtn");
   WriterOptions options;
-  options.ChunkTets = 200;
+  options.ChunkSize = 200;
   options.Keep = KeepAll;
   options.Errors = errors;
   options.Boundary = boundary;
@@ -311,12 +311,16 @@ TEST(RoundedArrays, RefuseImpossibleBounds)
   expectRefused("float", static_cast<ErrorKind>(9), 1);
   expectRefused("integers", ErrorKind::Bits, 8);
   for (const char* text : { "", "float", "float=abs", "float=abs:", "float=abs:x", "float=far:1",
-         "float=abs:1 ", "abs:1" })
+         "float=abs:1 ", "float=abs:1e999", "float=abs:1,one", "float=,zeros", "abs:1" })
   {
-    EXPECT_THROW(ParseError(text, false), Error) << text;
+    EXPECT_THROW(ParseError(text), Error) << text;
   }
-  const auto parsed = ParseError("a=b=rel:1e-3", true);
+  const auto parsed = ParseError("a=b=rel:1e-3,zeros");
   EXPECT_EQ(parsed.Array, "a=b");
   EXPECT_EQ(parsed.Bound, (ErrorBound{ ErrorKind::Relative, 1e-3, true }));
+  for (const char* text : { "abs:0.5", "rel:0.001,zeros", "pw:0.25", "bits:12,zeros" })
+  {
+    EXPECT_EQ(ToString(ParseBound(text).value()), text);
+  }
 }
 }

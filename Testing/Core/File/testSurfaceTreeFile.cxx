@@ -167,7 +167,7 @@ protected:
     : Sample(MakeSurfaceSample(40, 16, 2))
   {
     WriterOptions options;
-    options.ChunkTets = GetParam().first;
+    options.ChunkSize = GetParam().first;
     options.Keep = GetParam().second;
     const auto all = static_cast<std::uint32_t>(this->Sample.Tree.GetMerges().size());
     this->Levels = { static_cast<std::uint32_t>(this->Sample.Tree.CountWholeMerges(all / 3)),

@@ -41,7 +41,7 @@ protected:
         std::to_string(GetParam().second) + ".gtn"))
   {
     WriterOptions options;
-    options.ChunkTets = GetParam().first;
+    options.ChunkSize = GetParam().first;
     options.Keep = GetParam().second;
     options.Tree = &this->Tree;
     Write(this->Path, this->Mesh, options, 2);

@@ -46,7 +46,7 @@ void WriteWide(const std::string& path, const TestMesh& mesh, std::uint8_t keep)
 {
   WriterOptions options;
   options.Keep = keep;
-  options.ChunkTets = 200;
+  options.ChunkSize = 200;
   WriterState state(path, {}, options);
   MeshSection section(state);
   WriterPart part(mesh.GetInput());

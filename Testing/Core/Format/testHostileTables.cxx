@@ -322,7 +322,7 @@ TEST(HostileTables, VerifyFindsABadOrderInManyChunks)
 {
   const auto path = GetPath("many.gtn");
   WriterOptions options;
-  options.ChunkTets = 64;
+  options.ChunkSize = 64;
   options.Keep = KeepAll;
   WriteSample(path, MakeCubes(6, 0.2), options, 1);
   FileImage image(path);
@@ -442,7 +442,7 @@ FileImage MakePages()
 {
   const auto path = GetPath("pages.gtn");
   WriterOptions options;
-  options.ChunkTets = 64;
+  options.ChunkSize = 64;
   WriteSample(path, MakeCubes(15, 0.2), options, 1);
   return FileImage(path);
 }

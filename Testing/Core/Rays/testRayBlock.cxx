@@ -64,7 +64,7 @@ TEST(RayBlock, NeighborsAreTheSameWithParents)
 {
   const auto path = TempPath("ray-blocks.gtn");
   WriterOptions options;
-  options.ChunkTets = 700;
+  options.ChunkSize = 700;
   WriteSample(path, MakeCubes(7, 0.2), options, 1);
   const auto blocks = DecodeAll(path);
   ASSERT_GT(blocks.size(), 2u);
@@ -90,7 +90,7 @@ TEST(RayBlock, WrongParentsAreNoNeighbors)
 {
   const auto path = TempPath("ray-blocks-wrong.gtn");
   WriterOptions options;
-  options.ChunkTets = 700;
+  options.ChunkSize = 700;
   WriteSample(path, MakeCubes(5, 0.2), options, 1);
   std::mt19937 random(3);
   for (RayBlock block : DecodeAll(path))

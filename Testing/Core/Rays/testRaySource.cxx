@@ -245,7 +245,7 @@ TEST(RayCaster, RangesOfChunksAreThoseOfWhatIsDrawn)
   arrays[1].Name = "singles";
   const std::string path = std::string(GATUN_TEST_TEMP) + "/drawn_ranges.gtn";
   WriterOptions options;
-  options.ChunkTets = 64;
+  options.ChunkSize = 64;
   FileWriter writer(path, cubes.GetInput(), arrays, options);
   const std::array<const void*, 2> values{ tuples.data(), singles.data() };
   writer.WriteStep(values, {}, false, 0);
@@ -316,7 +316,7 @@ TEST(RayCaster, SourcesOfAFileShareItsCacheAndOneBudget)
   arrays[1].Name = "second";
   const std::string path = std::string(GATUN_TEST_TEMP) + "/shared_cache.gtn";
   WriterOptions options;
-  options.ChunkTets = 100;
+  options.ChunkSize = 100;
   FileWriter writer(path, cubes.GetInput(), arrays, options);
   std::vector<float> values(cubes.GetPoints());
   std::iota(values.begin(), values.end(), 0.0f);

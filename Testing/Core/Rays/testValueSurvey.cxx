@@ -60,7 +60,7 @@ TEST(ValueSurvey, IsTheSameForFilesOfAnyChunksAndForMeshesInMemory)
 
             const std::string path = TempPath("survey.gtn");
             WriterOptions options;
-            options.ChunkTets = blockTets;
+            options.ChunkSize = blockTets;
             Write(path, mesh, options);
             FileRaySource file(std::make_shared<FileReader>(path), { ofCells ? 2u : 0u, 0, 0 }, 0);
             EXPECT_EQ(GetNodes(SurveyValues(file)), GetNodes(expected));

@@ -138,7 +138,7 @@ inline std::shared_ptr<const FileReader> MakeFile(const std::string& name, std::
 {
   const auto path = TempPath("file-surface-" + name);
   WriterOptions options;
-  options.ChunkTets = chunkTets;
+  options.ChunkSize = chunkTets;
   Write(path, mesh, options, steps);
   return std::make_shared<const FileReader>(path);
 }
@@ -149,7 +149,7 @@ inline std::shared_ptr<const FileReader> MakeTreeFile(const std::string& name)
   const auto mesh = MakeCubes(8, 0.2);
   const auto tree = BuildTree(mesh);
   WriterOptions options;
-  options.ChunkTets = 100;
+  options.ChunkSize = 100;
   options.Tree = &tree;
   const auto path = TempPath("file-surface-" + name);
   Write(path, mesh, options, 2);

@@ -263,7 +263,7 @@ TEST(FileSurface, NormalsOfPiecesAreSumsInTheOrderOfTheFile)
     value = kinds[random() % 4];
   }
   WriterOptions options;
-  options.ChunkTets = 64;
+  options.ChunkSize = 64;
   const auto path = TempPath("file-surface-order.gtn");
   FileWriter writer(path, mesh.GetInput(), Values::Describe(), options);
   writer.WriteStep(values.Get());
@@ -354,7 +354,7 @@ TEST(FileSurface, LeavesOutWhatIsNotFinite)
     values.Vector[3 * i + 1] = -std::numeric_limits<double>::infinity();
   }
   WriterOptions options;
-  options.ChunkTets = 100;
+  options.ChunkSize = 100;
   const auto path = TempPath("file-surface-infinite.gtn");
   FileWriter writer(path, mesh.GetInput(), Values::Describe(), options);
   writer.WriteStep(values.Get());
