@@ -24,7 +24,7 @@ class CellList:
         self.mesh, self.coded, self.decide = mesh, mesh.coded, mesh.coded.decide
         self.follower = list(range(256))
         self.last_cells = {}  # of each type the last cell, and the one before
-        self.ways = {}
+        self.choices = {}
         self.recent = []  # the latest first
         self.next_shared = 0
         self.face_count, self.face_size = 0, 0
@@ -96,29 +96,29 @@ class CellList:
         return self.mesh.nodes.of(nodes, corners) if nodes else corners
 
     def _name(self, place, v, row, record):
-        """The vertex of a corner, and the way in which it was named. place: [type, q]; v: the way
+        """The vertex of a corner, and the choice by which it was named. place: [type, q]; v: that
         of the corner before; record: gives the record of an own vertex."""
         mesh, decide, coded = self.mesh, self.decide, self.coded
-        models = (*place, self.ways.get(place, 0), v)
+        models = (*place, self.choices.get(place, 0), v)
         if decide("IsNewCorner", *models):
             if decide("IsShared", *models):
-                vertex, way = mesh.meet_shared(self._by_sequence()), 1
+                vertex, choice = mesh.meet_shared(self._by_sequence()), 1
             else:
-                vertex, way = mesh.meet_own(record()), 0
+                vertex, choice = mesh.meet_own(record()), 0
         elif row is not None and row < len(mesh.keys) and decide("IsRow", *models):
-            vertex, way = row, 2
+            vertex, choice = row, 2
         elif decide("IsRecent", *models):
             recent = coded.tree(8, "Place", *place)
             require(recent < len(self.recent), "no recent vertex")
-            vertex, way = self.recent[recent], 3
+            vertex, choice = self.recent[recent], 3
         else:
-            vertex, way = coded.index(len(mesh.keys)), 4
-        self.ways[place] = way
+            vertex, choice = coded.index(len(mesh.keys)), 4
+        self.choices[place] = choice
         if vertex in self.recent:
             self.recent.remove(vertex)
         self.recent.insert(0, vertex)
         del self.recent[RECENT:]
-        return vertex, way
+        return vertex, choice
 
     def _by_sequence(self):
         index = self.next_shared

@@ -291,7 +291,7 @@ class Coded:
         return node - (1 << bits)
 
     def large(self, *models):
-        """number(M) of 13.9 and cell-codec.md."""
+        """number(M) of 6.4."""
         length = self.tree(6, *models)
         require(length <= 32, "length of a number")
         return length if length < 2 else (1 << (length - 1)) + self.raw(length - 1)

@@ -117,7 +117,7 @@ class CellWalk:
 
     def __init__(self, mesh, only=None):
         self.mesh, self.coded, self.only = mesh, mesh.coded, only
-        self.usual = {}  # pairs of ways by their place in the table
+        self.usual = {}  # pairs of choices by their place in the table
         self.decide = mesh.coded.decide
         self.front = Front(mesh.places)
         self.closed = []
@@ -161,7 +161,7 @@ class CellWalk:
                 if t is not None:
                     end(t, face.corner(i + 2), t.cells)
             return
-        form, kind_and_frame, ways = self.form_at(gate)
+        form, kind_and_frame, choices = self.form_at(gate)
         step = Step(form, face)
         met = len(mesh.keys)
         self.glue(step)
@@ -173,24 +173,24 @@ class CellWalk:
             kind_and_frame = self.type_and_frame(form, face.kind, face.frame)
         self.finish(step, kind_and_frame, face.cell, met)
         if not usual and form.shape != NO_SHAPE:
-            way = (form, *kind_and_frame)
-            if ways[0] is None or way == ways[1]:
-                ways[1], ways[0] = ways[0], way
+            choice = (form, *kind_and_frame)
+            if choices[0] is None or choice == choices[1]:
+                choices[1], choices[0] = choices[0], choice
             else:
-                ways[1] = way
+                choices[1] = choice
 
     def form_at(self, gate):
-        """The form of the next cell and, if it is usual, its type and frame; the two ways (4.2)."""
+        """The form of the next cell and, if it is usual, its type and frame; the two choices (4.2)."""
         face = gate.face
         pattern = gate.pattern if self.only is None else 0
         place = mix(12, face.form.number + (face.number << 16), pattern,
                     face.kind + (face.frame << 8))
-        ways = self.usual.setdefault(place, [None, None])
-        if ways[0] is not None and len(ways[0][0].faces[0]) == gate.k:
+        choices = self.usual.setdefault(place, [None, None])
+        if choices[0] is not None and len(choices[0][0].faces[0]) == gate.k:
             if self.decide("Usual", place):
-                form, kind, frame = ways[0]
-                return form, (kind, frame), ways
-        return begin(self, gate), None, ways
+                form, kind, frame = choices[0]
+                return form, (kind, frame), choices
+        return begin(self, gate), None, choices
 
     # ----- Glued faces (4.4)
 

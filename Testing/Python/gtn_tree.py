@@ -148,12 +148,12 @@ class SimplerMesh:
         return self.decoder.array(step, number)[self.kept if where == POINTS else self.cells]
 
 
-def find_ways(points, merges):
+def find_paths(points, merges):
     """Of each point, the set of what it is merged into by these merges, itself included (13.1)."""
-    ways = [{i} for i in range(points)]
+    paths = [{i} for i in range(points)]
     for point, into, _ in reversed(merges):
-        ways[point] |= ways[into]
-    return ways
+        paths[point] |= paths[into]
+    return paths
 
 
 def values_of(decoder, step, array):
@@ -168,17 +168,17 @@ def check_ranges(decoder):
     """Whether the ranges of TREE and TRNG enclose what they are said to enclose, and nothing else."""
     tree = decoder.container.tree
     for count, n in enumerate(tree.merge_counts):
-        ways = find_ways(decoder.meta.points, decoder.merges[:n])
+        paths = find_paths(decoder.meta.points, decoder.merges[:n])
         for c, chunk in enumerate(decoder.chunks):
             first = decoder.first_own[c]
             own = range(first, first + len(chunk.own))
-            way = sorted(set().union(*(ways[i] for i in [*chunk.shared_points, *own])))
-            places = decoder.points()[way].astype(float)
+            path = sorted(set().union(*(paths[i] for i in [*chunk.shared_points, *own])))
+            places = decoder.points()[path].astype(float)
             check_tight(tree.boxes[c][count], np.where(np.isfinite(places), places, np.nan))
             for s, ranges in enumerate(tree.ranges):
                 for a, of_array in enumerate(ranges):
                     if of_array is not None:
-                        check_tight(of_array[c][count], values_of(decoder, s, a)[way])
+                        check_tight(of_array[c][count], values_of(decoder, s, a)[path])
 
 
 def with_lengths(values):
