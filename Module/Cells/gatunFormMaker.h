@@ -44,10 +44,10 @@ GATUN_EXPORT bool IsClosedSurface(SurfaceView faces, unsigned corners);
 
 /**
  * Sees a closed surface from one of its faces, the gate. The corners of the gate are numbered
- * first, clockwise if seen from outside, then others as they are met: a queue of edges begins with
- * those of the gate; over each one, the face that has it is met, and its edges come to the end of
- * the queue. The numbers of the corners, face by face, are the form of the surface. A surface has
- * equal forms if it is symmetric.
+ * first, clockwise if seen from outside, then others in breadth-first order over the edges: the
+ * face behind each edge of a queue appends its edges, and the queue begins with the edges of the
+ * gate. The numbers of the corners, face by face, are the form of the surface. A surface has equal
+ * forms if it is symmetric.
  */
 class FormMaker
 {

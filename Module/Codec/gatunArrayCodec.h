@@ -32,7 +32,7 @@ struct ArrayModes
 struct ModeChoice
 {
   std::size_t Part = 64;   ///< by its size divided by this,
-  double BitsOfValue = 0;  ///< and by so many bits a value
+  double BitsOfValue = 0;  ///< and by this number of bits a value
   bool HasWeights = false; ///< whether readers have the weights of quadratic functions by then
 };
 

@@ -4,7 +4,7 @@
 #ifndef gatunCellListCoder_h
 #define gatunCellListCoder_h
 
-// Cells one by one, of any type and in any state: what no walk takes.
+// Cells that no walk takes, one by one, of any type and in any state.
 
 #include "gatunAttachedNodes.h"
 #include "gatunCellBuilder.h"

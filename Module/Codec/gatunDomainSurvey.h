@@ -76,9 +76,9 @@ public:
   }
 
   /**
-   * The domain of so many tuples in all. before: the scale of the same component at the time step
-   * before if values may be predicted from it, otherwise null. It is kept if it has all values,
-   * because they could not be predicted with another one.
+   * The domain for the given number of tuples. before: the scale of the same component at the time
+   * step before if values may be predicted from it, otherwise null. It is kept if it has all
+   * values, because they could not be predicted with another one.
    */
   Domain Finish(std::uint64_t count, PaletteUse use, const Scale* before = nullptr)
   {

@@ -4,7 +4,7 @@
 #ifndef gatunPointContext_h
 #define gatunPointContext_h
 
-// The data from which values are predicted, and the ways to do it.
+// The data from which values are predicted, and the predictors.
 
 #include "gatunCellRules.h"
 #include "gatunGeometry.h"

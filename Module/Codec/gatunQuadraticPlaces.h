@@ -4,7 +4,7 @@
 #ifndef gatunQuadraticPlaces_h
 #define gatunQuadraticPlaces_h
 
-// What the quadratic modes have in common: the places whose values are coded, and from which key a
+// Common parts of the quadratic modes: the places whose values are coded, and the key from which a
 // value is predicted.
 
 #include "gatunGuess.h"

@@ -32,7 +32,7 @@ struct QuadraticPrediction
  * fit with a linear fit and the rule that predicted the coordinates, by the errors that each has
  * made at the neighbors. See Documentation/format.md, 10.10.
  *
- * Any numbers are valid. Those that are not finite are replaced by what was predicted there.
+ * Any numbers are valid. Values that are not finite are replaced by their predictions.
  */
 class QuadraticPredictor
 {

@@ -57,7 +57,7 @@ private:
   SimplifiedFile& File;                      // of these two
   RayValues Values;
 
-  // For views: the chunks of levels that were used, and what was made of some levels last.
+  // For views: the chunks of levels that were used, and the last meshes of some levels.
   std::shared_ptr<CacheBudget> Budget;
   std::vector<std::shared_ptr<RayChunks>> Chunks;
   std::size_t Fine = 0;

@@ -107,7 +107,7 @@ struct StepPage
 StepIndex WriteStepPages(
   const StepTable& step, const MetaTable& meta, const MeshIndex& mesh, const PutPage& put);
 
-/** Throws unless a stream can contain the values of so many points or cells. */
+/** Throws unless a stream can contain the values of this number of points or cells. */
 void CheckValues(const ArrayDescription& array, std::uint64_t tuples, const StreamRef& stream);
 }
 

@@ -29,8 +29,8 @@ struct HartleyDetail
   std::array<double, 3> Largest{};
 
   /** The highest frequency that images along the axes need, in cycles per voxel, at most 0.5: the
-   * mean square of what exceeds it is below a quarter of the error, which is relative to the
-   * largest sum. */
+   * mean square of higher ones is below a quarter of the error, which is relative to the largest
+   * sum. */
   double Cut = 0.5;
 
   /** Subtracts the mean of the outermost voxels from all voxels and measures the rest. Parallel. */

@@ -16,7 +16,7 @@ struct alignas(32) ComplexLanes
 {
   static constexpr std::size_t Count = 8;
 
-  /** The number of these that so many lines need. */
+  /** The number of such groups for a number of lines. */
   static constexpr std::size_t CountGroups(std::size_t lines)
   {
     return (lines + Count - 1) / Count;

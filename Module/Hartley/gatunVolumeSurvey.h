@@ -15,7 +15,7 @@ namespace gatun
 {
 class HartleyFile;
 
-/** Volumes of up to so many voxels are surveyed as a whole. */
+/** Volumes of up to this number of voxels are surveyed as a whole. */
 constexpr std::uint64_t MostSurveyedVoxels = std::uint64_t{ 1 } << 23;
 
 /**

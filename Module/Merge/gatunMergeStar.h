@@ -73,8 +73,8 @@ struct MergeQuadric
 };
 
 /** Four tetrahedra of the current point, as functions of the position of that point: six times the
- * volume is dot(Normal, offset) + Volume, and positive at offset 0. What is after the last one is a
- * copy of it that has no weight. */
+ * volume is dot(Normal, offset) + Volume, and positive at offset 0. The rest is filled with copies
+ * of the last one without weight. */
 struct MergeTets
 {
   std::array<Triple<Double2>, 2> Normal;

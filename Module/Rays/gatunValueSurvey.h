@@ -13,7 +13,7 @@
 
 namespace gatun
 {
-/** Meshes of up to so many tetrahedra are surveyed as a whole. */
+/** Meshes of up to this number of tetrahedra are surveyed as a whole. */
 constexpr std::uint64_t MostSurveyedTets = std::uint64_t{ 1 } << 21;
 
 /**
@@ -24,7 +24,7 @@ constexpr std::uint64_t MostSurveyedTets = std::uint64_t{ 1 } << 21;
  *
  * Range: of the values, or the part of them that counts. If it is given, it is kept; otherwise it
  * is narrowed as by MakeValueHistogram. Tetrahedra with a value or coordinate that is not finite
- * are left out. Throws what the source throws.
+ * are left out. Throws the exceptions of the source.
  */
 GATUN_EXPORT ValueSurvey SurveyValues(RaySource& source, const std::optional<Range>& range = {},
   const RaySource::Progress& progress = {}, std::uint64_t mostTets = MostSurveyedTets);

@@ -23,8 +23,8 @@ struct PieceCut
 
 /**
  * The points and cells of a piece that is cut out of a larger set of chunks: a piece with ghosts,
- * or one without the cells that are not alive. The set is decoded as a whole, and what belongs to
- * the piece is copied.
+ * or one without the cells that are not alive. The set is decoded as a whole, and the points and
+ * cells of the piece are copied.
  */
 class PieceSelection
 {

@@ -20,7 +20,7 @@ namespace gatun
 /** Which entries a new one may remove. */
 enum class CachePolicy
 {
-  LeastRecentlyUsed, ///< those that have not been used for the longest time
+  LeastRecentlyUsed, ///< the least recently used ones
   KeepFirst          ///< none; serves those who go through all keys in a cycle
 };
 

@@ -56,7 +56,7 @@ struct DefaultTransfer
 };
 
 /**
- * Makes a transfer function that shows structure: what fills most of the object is nearly
+ * Makes a transfer function that shows structure: values that fill most of the object are nearly
  * transparent, and values that are rare or far from the median are opaque.
  *
  * Extinction is w(v) / (h(v) + e), where h is the density of the object's values. So all values

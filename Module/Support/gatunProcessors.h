@@ -21,7 +21,7 @@ using FileText = std::function<std::string(const std::string& path)>;
  * The processors that the control groups of a process allow, rounded up and at least 1; 0 if they
  * do not limit them. That is the least of all quotas of its groups and of those around them:
  * cpu.max (version 2), cpu.cfs_quota_us by cpu.cfs_period_us (version 1). Read has
- * /proc/self/cgroup and what is in /sys/fs/cgroup. In a container, the name of the group may be
+ * /proc/self/cgroup and the files of /sys/fs/cgroup. In a container, the name of the group may be
  * that outside of it; the groups that are not there have no quota.
  */
 GATUN_EXPORT int GetProcessorQuota(const FileText& read);

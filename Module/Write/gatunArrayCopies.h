@@ -33,7 +33,7 @@ using ArrayCopies = std::vector<std::optional<ArrayCopy>>;
 class CopySurvey
 {
 public:
-  /** values: of each array, for so many points and cells. */
+  /** values: of each array, for these numbers of points and cells. */
   void Add(const std::vector<ArrayDescription>& arrays, std::span<const void* const> values,
     std::uint64_t points, std::uint64_t cells);
 

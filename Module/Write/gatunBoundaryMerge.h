@@ -93,7 +93,7 @@ struct JoinCounts
 class BoundaryMerge
 {
 public:
-  /** folder: of the files for what exceeds the memory, in bytes. */
+  /** folder: of temporary files. memory: in bytes, before files are used. */
   BoundaryMerge(const std::string& folder, std::size_t memory)
     : Boundaries(folder, memory)
     , Joins(folder, memory)

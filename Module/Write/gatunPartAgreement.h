@@ -4,7 +4,7 @@
 #ifndef gatunPartAgreement_h
 #define gatunPartAgreement_h
 
-// What the processes that write a file together have to agree on before they write their parts.
+// Agreement of the processes that write a file together, before they write their parts.
 
 #include "gatunBoundaryMerge.h"
 #include "gatunPartExchange.h"

@@ -4,7 +4,7 @@
 #ifndef gatunPartSurvey_h
 #define gatunPartSurvey_h
 
-// What has to be known of all parts of a mesh before the first one is written.
+// Survey of all parts of a mesh before the first one is written.
 
 #include "gatunArrayCopies.h"
 #include "gatunBoundaryMerge.h"

@@ -95,7 +95,7 @@ struct PartStatistics
  * Several processes can write a file together. Each one surveys and writes its own parts, or none;
  * the parts of the file are those of the first process, then those of the second, and so on. All
  * give the same path, arrays and options. EndSurvey and Finish are collective. The other methods,
- * and the constructor, may fail in one process, which the others have to be told:
+ * and the constructor, may fail in one process, and the others must learn this:
  * PartExchange::Together does that.
  *
  *     for each part of this process: Survey(part), and SurveyStep(values) for each time step
