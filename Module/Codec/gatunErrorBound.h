@@ -12,7 +12,7 @@
 
 namespace gatun
 {
-/** What the error of a value is measured by. */
+/** The measure of the error of a value. */
 enum class ErrorKind : std::uint8_t
 {
   None = 0,      ///< values are exact
@@ -46,7 +46,7 @@ struct ArrayError
 GATUN_EXPORT void CheckError(const ArrayError& error);
 
 /** The error in a text "NAME=abs:E", "NAME=rel:E", "NAME=pw:E" or "NAME=bits:N". Throws
- * Error(InvalidInput) if it is another text, or the number is not in its range. */
+ * Error(InvalidInput) for any other text, or if the number is not in its range. */
 GATUN_EXPORT ArrayError ParseError(const std::string& text, bool keepZeros);
 
 /** The text of a bound without a name. */

@@ -35,8 +35,8 @@ public:
    */
   MergeCut(const MergeTree& tree, const MergeDependencies& dependencies, std::vector<bool> wanted);
 
-  /** Merges that can be done together, such as those of another cut that a base mesh has left.
-   * Throws InvalidInput if their number is not that of the tree. */
+  /** Merges that can be done together, such as the merges of another cut that remain for a base
+   * mesh. Throws InvalidInput if their number is not that of the tree. */
   MergeCut(const MergeTree& tree, std::vector<bool> done);
 
   /** The ancestor of each point. */

@@ -17,15 +17,15 @@
 namespace gatun
 {
 /**
- * Which merges of a tree depend on which earlier ones, so that a part of them can be done where a
- * mesh may be coarse, and not where it must be fine.
+ * Dependencies between the merges of a tree, so that merges can be done where a mesh may be coarse,
+ * and not where it must be fine.
  *
  * A merge depends on the merges that last changed each of the tetrahedra around its point before
  * it. It also depends on a merge that took a tetrahedron away and so made a face of one of these a
- * part of the boundary. If a set of merges has all that its members depend on, each tetrahedron
- * that remains is one that the mesh has after some number of merges, and they cover each place
- * once. The rule is that of multi-tessellations (De Floriani, Magillo, Puppo: "Efficient
- * implementation of multi-triangulations", IEEE Visualization 1998).
+ * part of the boundary. If a set contains the dependencies of all its merges, each remaining
+ * tetrahedron is one that the mesh has after some number of merges, and they cover each place once.
+ * The rule is that of multi-tessellations (De Floriani, Magillo, Puppo: "Efficient implementation
+ * of multi-triangulations", IEEE Visualization 1998).
  *
  * Merges that belong together (MergeTree::GetBonds) depend on the same ones. If all of them are
  * wanted, they are done together or not at all.

@@ -54,8 +54,7 @@ public:
    * chunks finds the chunks of others. */
   ChunkCache(const std::shared_ptr<ChunkCache>& other, bool keepsChunks);
 
-  /** The parts of another cache, for a mesh with some of the cells of its file
-   * (FileReader::GetParentMesh). */
+  /** A view for a mesh with some of the cells of the file (FileReader::GetParentMesh). */
   ChunkCache(const ChunkCache& other, std::shared_ptr<const FileReader> file);
   ~ChunkCache();
   ChunkCache(const ChunkCache&) = delete;

@@ -55,7 +55,7 @@ constexpr bool IsFloating(ScalarType type)
   return type == ScalarType::Float32 || type == ScalarType::Float64;
 }
 
-/** The elements of the mesh that the tuples of an array belong to. */
+/** The elements of the mesh to which the tuples of an array belong. */
 enum class Association : std::uint8_t
 {
   Point = 0,

@@ -35,17 +35,16 @@ struct PartWriterOptions
    * are in temporary files. */
   std::size_t SpillMemory = std::size_t{ 64 } << 20;
 
-  /** Whether to look for all points in other parts, in place of those on the boundary of a part.
-   * Finds also the points inside a part that lines and surfaces of other parts have, and takes as
-   * much more space on the disk. */
+  /** Whether to compare all points with other parts, not only boundary points. This also joins
+   * lines and surfaces to points inside other parts, and takes more space on the disk. */
   bool JoinAllPoints = false;
 
-  /** Whether the global ids tell which points are in several parts: those with ids of 0 and more.
-   * They are compared wherever they are, and those with negative ids are not compared. */
+  /** Whether the global ids mark the points of several parts by ids of 0 and more. These points are
+   * compared wherever they are, and points with negative ids are not compared. */
   bool JoinByIdsOnly = false;
 };
 
-/** What PartWriter has written. */
+/** Statistics of PartWriter. */
 struct PartStatistics
 {
   FileStatistics File;
@@ -53,20 +52,18 @@ struct PartStatistics
   std::uint64_t Cells = 0;
   std::uint64_t JoinedPoints = 0; ///< points of parts that are the point of another part
 
-  /** Points that are where another part has one, but have other values or another global id, and
-   * are kept apart; or that have the global id of one elsewhere. */
+  /** Points at the place of a point of another part that are kept apart because values or global
+   * ids differ, and points with the global id of a point elsewhere. */
   std::uint64_t DifferentPoints = 0;
 
-  /** Points that are kept apart because several points of one part are where another part has one.
-   */
+  /** Points that are kept apart because one part has several points at the same place. */
   std::uint64_t AmbiguousPoints = 0;
 
   std::uint64_t SpilledBytes = 0;
 };
 
 /**
- * Writes a mesh that comes in parts as one .gtn file, such as FileWriter writes, without ever
- * having the whole mesh in memory.
+ * Writes a mesh that comes in parts as one .gtn file, without ever having the whole mesh in memory.
  *
  * A part is any subset of the cells with their points and arrays; a cell belongs to one part. All
  * parts come twice in the same order, and have to be the same both times:
