@@ -64,8 +64,7 @@ public:
     SurfaceView faces, unsigned corners, unsigned gate, unsigned start, bool mirrored);
 
   /** The number of corners of the gate, then for each further face the number of its corners and
-   * the corners themselves without the first two, which are those of the edge over which it was
-   * met. */
+   * the corners themselves without the first two, the ends of the edge over which it was met. */
   const FormCode& GetCode() const { return this->Code; }
 
   /** The surface's corner for each one of the form. */

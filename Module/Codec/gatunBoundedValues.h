@@ -98,7 +98,7 @@ private:
   static constexpr unsigned Signs = 3;
   static constexpr unsigned Ones = 14; // decisions of a number of steps that have a model each
 
-  /** What is known of the number of steps. */
+  /** Context of a number of steps. */
   struct Context
   {
     unsigned Class = 0;

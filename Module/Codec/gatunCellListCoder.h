@@ -101,7 +101,7 @@ private:
     BitModel IsNew, IsShared, IsRow, IsRecent;
   };
 
-  /** What is known about the corners at one position. */
+  /** Models of the corners at one position. */
   struct PositionModels
   {
     std::array<WayModels, std::size_t{ Ways } * Ways> Way; // the last one here, and before it

@@ -13,7 +13,7 @@
 
 namespace gatun
 {
-/** What the user wants of a component. */
+/** The user's requirements for a component. */
 struct RoundingRequest
 {
   ErrorBound Bound;
@@ -53,7 +53,7 @@ public:
   /** Keeps what is known in little memory. */
   void Compress() { this->Palettes.Compress(); }
 
-  /** What is known for another process, and its addition to that here. */
+  /** Serializes the survey for another process, and adds such a message. */
   void Put(ByteWriter& out)
   {
     this->Palettes.Put(out);

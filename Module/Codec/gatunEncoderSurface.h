@@ -32,7 +32,7 @@ public:
    * cell is begun. */
   bool IsUniform() const;
 
-  /** Begins an unvisited cell with an edge, if possible one that runs as it is `turned` or not.
+  /** Begins an unvisited cell with an edge, if possible one with the given orientation (`turned`).
    * Returns false if there is none. */
   bool FindCell(std::uint32_t begin, std::uint32_t end, bool turned);
 

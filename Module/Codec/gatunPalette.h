@@ -41,7 +41,7 @@ public:
   /** Keeps the values of the tuples so far in little memory. */
   void Compress();
 
-  /** The values so far for another process, and their addition to those here. */
+  /** Serializes the values for another process, and adds such a message. */
   void Put(ByteWriter& out);
   void Add(ByteReader& in);
 

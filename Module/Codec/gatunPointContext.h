@@ -69,7 +69,7 @@ struct CellContext
 
 /**
  * The values of one component. For points of a chunk there is a key for every vertex of the walk,
- * and those of shared vertices are known. Otherwise keys are in the order of coding.
+ * and keys of shared vertices are known. Otherwise keys are in the order of coding.
  */
 struct ComponentKeys
 {

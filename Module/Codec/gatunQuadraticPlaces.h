@@ -61,7 +61,7 @@ double GetBase(const AnyDomain& domain, TemporalMode temporal, const ComponentKe
   return temporal == TemporalMode::Change ? domain.ToNumber(keys.Before[v]) : 0.0;
 }
 
-/** What is predicted at a place: a number, or the key before if the base is not finite. */
+/** The prediction at a place: a number, or the previous key if the base is not finite. */
 inline Guess MakeGuess(double base, double predicted, const ComponentKeys& keys, Vertex v)
 {
   Guess guess;

@@ -19,8 +19,8 @@ namespace gatun
 /**
  * Chooses the merges that a view allows. A merge is wanted if its error, in pixels at its point, is
  * at most a tolerance: the one of the view, or a larger one if too many points would be left.
- * Outside of the view, and where no value is visible, all merges are wanted. Of the wanted merges,
- * those are chosen whose dependencies are wanted, too.
+ * Outside of the view, and where no value is visible, all merges are wanted. A wanted merge is
+ * chosen if its dependencies are wanted, too.
  *
  * The result does not depend on earlier views. Immutable.
  */
@@ -47,7 +47,7 @@ public:
 
   const MergeTree& GetTree() const { return *this->Tree; }
 
-  /** Points: how many may be left, about. */
+  /** Points: approximate limit of remaining points. */
   MergeCut Choose(const DetailView& view, std::uint64_t points) const;
 
   /** The largest weight of a place: pixels for an error of 1. */

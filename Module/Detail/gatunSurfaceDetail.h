@@ -40,12 +40,12 @@ struct SurfaceDetailView
 /**
  * Chooses the merges of a surface that a view allows. A merge is wanted if its error, in pixels at
  * its point, is at most a tolerance. Errors outside of the view and on hidden back faces do not
- * count. Errors count in full at the silhouette, and less where the surface faces the eye. Of the
- * wanted merges, those are chosen whose dependencies are wanted, too, so that a closed surface
- * stays closed and no triangle is there that the surface does not have after some number of merges.
+ * count. Errors count in full at the silhouette, and less where the surface faces the eye. A wanted
+ * merge is chosen if its dependencies are wanted, too, so that a closed surface stays closed, and
+ * each triangle is one that the surface has after some number of merges.
  *
- * The result depends on the view only, not on those before. Immutable and thread safe. Memory: 24
- * bytes a point, in addition to the tree and the dependencies.
+ * The result does not depend on earlier views. Immutable and thread safe. Memory: 24 bytes a point,
+ * in addition to the tree and the dependencies.
  */
 class GATUN_EXPORT SurfaceDetail
 {

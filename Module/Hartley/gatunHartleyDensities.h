@@ -18,7 +18,7 @@ namespace gatun
 LargeArray<float> DecodeHartleyDensities(
   const HartleySource& source, const std::function<bool(double)>& progress = {});
 
-/** What limits the resolution of X-rays of a volume. */
+/** The limit of the resolution of X-rays of a volume. */
 struct HartleyDetail
 {
   /** The mean of the outermost voxels. A box of this value has a closed form; its sharp border

@@ -41,10 +41,10 @@ public:
 
   /**
    * Finds the dependencies by doing all merges one after the other: 0.5 us a tetrahedron. Cells:
-   * all tetrahedra of the mesh; those with a corner twice do not count.
+   * all tetrahedra of the mesh; degenerate ones do not count.
    *
-   * progress: called with the part that is done, from 0 to 1. Error(Aborted) is thrown if it
-   * returns false. Throws InvalidInput if a corner is not a point of the tree.
+   * progress: called with the fraction done, from 0 to 1. Error(Aborted) is thrown if it returns
+   * false. Throws InvalidInput if a corner is not a point of the tree.
    */
   MergeDependencies(const MergeTree& tree, std::span<const std::array<std::uint32_t, 4>> cells,
     const std::function<bool(double)>& progress = {});

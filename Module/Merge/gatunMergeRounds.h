@@ -205,7 +205,7 @@ private:
     }
   }
 
-  /** Whether what is known of a point may still be that of a key. */
+  /** Whether the state of a point may still be that of a key. */
   bool IsOf(std::uint32_t point, MergeQueue::Key key) const
   {
     const Candidate& candidate = this->Candidates[point];

@@ -87,7 +87,7 @@ struct MergeTets
 /** The gradients of a field in four tetrahedra, relative to that at the point. */
 using MergeSlopes = std::array<Triple<Double2>, 2>;
 
-/** What is around a point. NumberOfFields is that of the input, or 0 for any. */
+/** The surroundings of a point. NumberOfFields is that of the input, or 0 for any. */
 template <std::size_t NumberOfFields>
 class MergeStar
 {

@@ -49,9 +49,8 @@ public:
   /** A cache that shares a budget with others. */
   ChunkCache(std::shared_ptr<const FileReader> file, std::shared_ptr<CacheBudget> budget);
 
-  /** A view of the parts of another cache, with statistics of its own: parts that are found or kept
-   * through it are those of the other cache, which counts them, too. A view that does not keep
-   * chunks finds the chunks of others. */
+  /** A view of another cache, with statistics of its own: the other cache holds the parts, and
+   * counts them, too. A view that does not keep chunks finds the chunks of others. */
   ChunkCache(const std::shared_ptr<ChunkCache>& other, bool keepsChunks);
 
   /** A view for a mesh with some of the cells of the file (FileReader::GetParentMesh). */

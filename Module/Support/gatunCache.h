@@ -21,7 +21,7 @@ namespace gatun
 enum class CachePolicy
 {
   LeastRecentlyUsed, ///< the least recently used ones
-  KeepFirst          ///< none; serves those who go through all keys in a cycle
+  KeepFirst          ///< none; for users that go through all keys in a cycle
 };
 
 /**

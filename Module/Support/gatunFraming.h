@@ -29,7 +29,7 @@ public:
    * available. The box then takes their place. */
   using Visit = std::function<bool(std::size_t block, const Use& use)>;
 
-  /** Boxes: of the blocks. Those without points are left out. */
+  /** Boxes: of the blocks. Blocks without points are left out. */
   explicit PointBlocks(std::vector<Bounds> boxes, Visit visit = {});
 
   /** Points without blocks. */

@@ -22,7 +22,7 @@ class GATUN_EXPORT ValueHistogram
 public:
   static constexpr std::size_t Bins = 4096;
 
-  /** Of the whole, at each end of the range: what may be far from the rest. */
+  /** Fraction of the whole at each end of the range that may be outliers. */
   static constexpr double OuterFraction = 0.0005;
 
   enum class Scale

@@ -63,8 +63,8 @@ public:
     const void* coordinates = nullptr, const RemainingCells* remaining = nullptr);
 
   /** Adds a mesh for the next steps. It has the same arrays. The options are those of the first
-   * mesh but for what depends on the mesh: Tree and the values of Layers. Ends the steps of the
-   * previous mesh. Returns the number of the mesh; the first mesh has 0. Needs time. */
+   * mesh, except Tree and the values of Layers. Ends the steps of the previous mesh. Returns the
+   * number of the mesh; the first mesh has 0. Needs time. */
   std::uint32_t AddMesh(
     const MeshInput& mesh, const WriterOptions& options, const Progress& progress = {});
 

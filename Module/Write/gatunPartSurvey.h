@@ -20,7 +20,7 @@
 
 namespace gatun
 {
-/** What is known of a part after the survey. */
+/** Data of a part after the survey. */
 struct SurveyedPart
 {
   std::size_t Chunks = 0;
@@ -77,7 +77,7 @@ public:
 
   std::size_t GetSteps() const { return this->Steps.size(); }
 
-  /** The values so far for another process, and their addition to those here. */
+  /** Serializes the values for another process, and adds such a message. */
   void Put(ByteWriter& out);
   void Add(ByteReader& in);
 

@@ -25,7 +25,7 @@ class PartExchange;
 /** Options of PartWriter. */
 struct PartWriterOptions
 {
-  /** Those of the file. Hierarchies and layers need the whole mesh and are refused. */
+  /** Options of the file. Hierarchies and layers need the whole mesh and are refused. */
   WriterOptions File;
 
   /** The folder of temporary files. Empty: the folder of the file that is written. */
@@ -90,23 +90,23 @@ struct PartStatistics
  * no cell uses, with their values. With KeepPoints also 8 bytes for each point of several parts.
  *
  * Several processes can write a file together. Each one surveys and writes its own parts, or none;
- * the parts of the file are those of the first process, then those of the second, and so on. All
- * give the same path, arrays and options. EndSurvey and Finish are collective. The other methods,
- * and the constructor, may fail in one process, and the others must learn this:
- * PartExchange::Together does that.
+ * the file has the parts of the first process, then those of the second, and so on. All give the
+ * same path, arrays and options. EndSurvey and Finish are collective. The other methods, and the
+ * constructor, may fail in one process, and the others must learn this: PartExchange::Together does
+ * that.
  *
  *     for each part of this process: Survey(part), and SurveyStep(values) for each time step
  *     EndSurvey()
  *     for each part of this process: Write(part), and WriteStep(values) for each time step
  *     Finish()
  *
- * The bytes are those that one process writes. Between processes go the points on the boundaries of
- * parts, those that no cell uses with their values, and tables: some 300 bytes and 50 bytes for
- * each array and time step a chunk to the first process, and 300 bytes a chunk, the groups of
- * shared points, to each one. Each process writes into a temporary file in the spill folder, then
- * copies it to its place in the file, which has a temporary name until it is complete. Memory: as
- * above, with the chunks of the whole file; three times the SpillMemory; and in the first process
- * twice the tables of all.
+ * The bytes are those of one process. Between processes go the points on the boundaries of parts,
+ * those that no cell uses with their values, and tables: some 300 bytes and 50 bytes for each array
+ * and time step a chunk to the first process, and 300 bytes a chunk, the groups of shared points,
+ * to each one. Each process writes into a temporary file in the spill folder, then copies it to its
+ * place in the file, which has a temporary name until it is complete. Memory: as above, with the
+ * chunks of the whole file; three times the SpillMemory; and in the first process twice the tables
+ * of all.
  *
  * The file appears at its path when Finish returns. The bytes do not depend on the number of
  * threads. Every method may throw Error (InvalidInput, CannotWrite, Aborted), after which only the
