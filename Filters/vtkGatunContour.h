@@ -25,11 +25,11 @@
  * coordinates are merged.
  *
  * The triangles are those of vtkContourGrid, except that the front of every triangle faces lower
- * values, as the normals do; those of vtkContourGrid face higher values in left-handed tetrahedra.
- * A corner whose value is the isovalue counts as above it. Triangles with two corners in one point
- * are left out. Where a field is constant at the
- * isovalue there is no surface, nor in tetrahedra with a value that is NaN or infinite. The
- * triangles have the order of the tetrahedra, whatever the number of threads.
+ * values, as the normals do. Triangles of vtkContourGrid face higher values in left-handed
+ * tetrahedra. A corner whose value is the isovalue counts as above it. Triangles with two corners
+ * in one point are left out. Where a field is constant at the isovalue there is no surface, nor in
+ * tetrahedra with a value that is NaN or infinite. The triangles have the order of the tetrahedra,
+ * whatever the number of threads.
  *
  * *Pieces.* Of a file, each piece takes its share of the chunks that the surface passes through.
  * Other inputs are asked for the same piece and, with normals, for a level of ghost cells, so that

@@ -14,7 +14,7 @@ namespace gatun
 enum class ChildOutcome
 {
   Done,
-  Crashed, ///< or ended with another exit code than those of the others
+  Crashed, ///< or ended with any other exit code
   OutOfMemory,
   Stopped ///< because keepGoing returned false
 };
