@@ -257,24 +257,20 @@ def _figures17_19(results, plots):
 
 LESSONS = """## What does not pay
 
-Measured before, and kept here so that nobody tries it again without a new idea:
+Measured earlier, and listed so that nobody tries it again without a new idea:
 
 - *Release from both ends of the rays* (section 4.4 of the proposal): fewer tetrahedra wait, but rays break into
-  more fragments, and images take longer. A chunk bounds the number that waits in any case. Gatun releases from
-  the front.
-- *The pre-filter* (section 4.4) drops many tetrahedra of small images, but an image without it takes about as
-  long.
-- *Trilinear slices of spectra* (section 3): the dissertation's own kernel, even with padding to twice the size,
-  has errors above 1 in Table 1 for rotated views. Kaiser-Bessel kernels and projected basis functions are exact
-  to rounding.
-- *Layers of growing precision* for arrays with bounded errors would take over half as many bytes again as the
-  finest layer alone.
+  more fragments, and images take longer. Gatun releases from the front.
+- *The pre-filter* (section 4.4) drops many tetrahedra of small images, but saves no time.
+- *Trilinear slices of spectra* (section 3), even with padding to twice the size, have errors above 1 in Table 1
+  for rotated views.
+- *Layers of growing precision* for arrays with bounded errors take over half as many bytes again as the finest
+  layer alone.
 - *Quadric placement* as in VTK moves points and computes new values. It wins on smooth fields at few tetrahedra,
   but such merges cannot be undone, nor stored as an order of points.
-- *Isosurfaces of small meshes* are not faster from a `.gtn` file: decoding takes longer than reading and
-  searching.
-- *Many processes*: each one needs the tables of all chunks. With very many cells, these tables, and not
-  encoding, bound the memory of a writer; larger chunks help.
+- *Isosurfaces of small meshes* are not faster from a `.gtn` file.
+- *Many processes*: each one needs the tables of all chunks, which bound the memory of a writer. Larger chunks
+  help.
 """
 
 

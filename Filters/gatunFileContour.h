@@ -25,7 +25,7 @@ namespace gatun
 struct PublishedFile;
 class SharedFile;
 
-/** Makes isosurfaces of the file behind a reader. Keeps what the next isovalues need. */
+/** Makes isosurfaces of the file behind a reader. Keeps decoded data for the next isovalues. */
 class FileContour
 {
 public:

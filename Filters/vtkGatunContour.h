@@ -25,15 +25,15 @@
  * coordinates are merged.
  *
  * The triangles are those of vtkContourGrid, except that the front of every triangle faces lower
- * values, as the normals do; those of vtkContourGrid face higher values in left-handed tetrahedra.
- * A corner whose value is the isovalue counts as above it. Triangles with two corners in one point
- * are left out. Where a field is constant at the
- * isovalue there is no surface, nor in tetrahedra with a value that is NaN or infinite. The
- * triangles have the order of the tetrahedra, whatever the number of threads.
+ * values, as the normals do. Triangles of vtkContourGrid face higher values in left-handed
+ * tetrahedra. A corner whose value is the isovalue counts as above it. Triangles with two corners
+ * in one point are left out. Where a field is constant at the isovalue there is no surface, nor in
+ * tetrahedra with a value that is NaN or infinite. The triangles have the order of the tetrahedra,
+ * whatever the number of threads.
  *
  * *Pieces.* Of a file, each piece takes its share of the chunks that the surface passes through.
- * Other inputs are asked for the same piece and, with normals, for a level of ghost cells, with
- * which the normals of points between pieces are those of the whole surface.
+ * Other inputs are asked for the same piece and, with normals, for a level of ghost cells, so that
+ * normals have no seams between pieces.
  *
  * *Cost.* From a file: time in proportion to the chunks that are read; memory for about twice the
  * surface and a chunk for each thread. Decoded chunks are kept within the memory budget of the
@@ -76,8 +76,8 @@ public:
 
   ///@{
   /**
-   * Isovalues, in the units of the array, by index from 0; in any order. Those that are equal count
-   * once. NaN and infinite values are an error. Default: none.
+   * Isovalues, in the units of the array, by index from 0; in any order. Equal ones count once. NaN
+   * and infinite values are an error. Default: none.
    */
   void SetValue(int i, double value);
   double GetValue(int i);
@@ -146,8 +146,8 @@ public:
 
   ///@{
   /**
-   * Statistics of the last update from a file: the number of chunks in the file, of those that the
-   * surfaces pass through, and of the tetrahedra in these; 0 without a file.
+   * Statistics of the last update from a file: the number of chunks in the file, of chunks that the
+   * surfaces pass through, and of tetrahedra in these chunks; 0 without a file.
    */
   vtkIdType GetNumberOfChunks();
   vtkIdType GetNumberOfChunksUsed();
@@ -161,7 +161,7 @@ public:
   vtkTypeUInt64 GetBytesRead();
 
   /**
-   * Modified, too, when an isovalue is.
+   * Includes the time of the isovalues.
    */
   vtkMTimeType GetMTime() override;
 
@@ -176,8 +176,8 @@ protected:
     vtkInformationVector* outputVector) override;
 
   /**
-   * The information in which to look for a vtkGatunFileHandle: that of the input, unless a subclass
-   * knows of algorithms in between that pass on the mesh unchanged.
+   * The information that may have a vtkGatunFileHandle: that of the input. Subclasses that know of
+   * algorithms in between that pass on the mesh unchanged may return another one.
    */
   virtual vtkInformation* GetFileInformation(vtkInformation* inInfo);
 

@@ -294,7 +294,7 @@ public:
   /**
    * Upper bound of the memory that is kept from one image to the next, in MiB. It holds
    * coefficients of a file's chunks or, with METHOD_SLICE, spectra and, with METHOD_VOXELS, voxels
-   * of blocks. What does not fit is computed again for each image. Not negative. Default: 512.
+   * of blocks. The rest is computed again for each image. Not negative. Default: 512.
    */
   vtkSetClampMacro(MemoryBudget, int, 0, VTK_INT_MAX);
   vtkGetMacro(MemoryBudget, int);

@@ -16,9 +16,9 @@
  * with the same coordinates, such as those of a seam of texture coordinates, are merged together,
  * so that seams stay closed; the result can then have a few points more than the target. Polygons
  * and strips are divided into triangles. Vertices and lines are kept with their points. So are
- * points where the surface is not a manifold, points of degenerate triangles, and points that are
- * not finite. Points without a cell stay. Ghost cells are left out. In several pieces, all points
- * on the border of a piece are kept, so that pieces fit together without communication.
+ * points where the surface is not a manifold, points of degenerate triangles, points that are not
+ * finite, and unused points. Ghost cells are left out. In several pieces, all points on the border
+ * of a piece are kept, so that pieces fit together without communication.
  *
  * *Meshes.* Input: a vtkUnstructuredGrid. Other 3D cells are split into tetrahedra
  * (Documentation/cells.md), nonlinear ones without the points between their corners. Cells of a
@@ -28,12 +28,12 @@
  * *From a file.* If the input is the output of a vtkGatunReader or a vtkGatunSurfaceReader without
  * a region of interest, and its file has a hierarchy (vtkGatunWriter::Hierarchy), the filter finds
  * a vtkGatunFileHandle in the information of its input and uses the order of merges in the file,
- * and its base meshes. The reader is then not asked for the mesh. The output is what the reader
- * gives with the same number of merges: the same points and cells in the same order, with pieces
- * that fit together, ghost cells, time steps and the selected arrays. If the reader simplifies,
- * too, SimplificationRatio and SimplificationNumberOfPoints refer to its mesh. Metric,
- * BoundaryWeight, FeatureAngle and array weights have no influence, since they were chosen when the
- * file was written; see UseFileHierarchy.
+ * and its base meshes. The reader is then not asked for the mesh. The output is that of the reader
+ * with the same number of merges: the same points and cells in the same order, with pieces that fit
+ * together, ghost cells, time steps and the selected arrays. If the reader simplifies, too,
+ * SimplificationRatio and SimplificationNumberOfPoints refer to its mesh. Metric, BoundaryWeight,
+ * FeatureAngle and array weights have no influence, since they were chosen when the file was
+ * written; see UseFileHierarchy.
  *
  * *Pieces of meshes.* Pieces fit together. Without a file that has a hierarchy, each piece is
  * simplified on its own, and the points that it has in common with others are kept. If each process
@@ -130,8 +130,8 @@ public:
 
   ///@{
   /**
-   * Share of the shape in the cost of a merge on the boundary, or anywhere on a surface, 0 to 1;
-   * the rest is that of the values. Default: 0.5.
+   * Share of the shape in the cost of a merge on the boundary, or anywhere on a surface, 0 to 1.
+   * The values have the rest. Default: 0.5.
    */
   vtkSetClampMacro(BoundaryWeight, double, 0.0, 1.0);
   vtkGetMacro(BoundaryWeight, double);
@@ -139,8 +139,8 @@ public:
 
   ///@{
   /**
-   * For surfaces: edges between triangles whose normals differ by more degrees are kept as the
-   * border is, 0 to 180. Default: 30.
+   * For surfaces: angle between the normals of two triangles, in degrees, 0 to 180. Edges with a
+   * larger angle are kept like the border. Default: 30.
    */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
@@ -159,8 +159,8 @@ public:
 
   ///@{
   /**
-   * Whether the hierarchy of the file is used if the input comes from a file that has one. Off: the
-   * filter finds an order of merges of its own for the input. Default: on.
+   * Whether the filter uses the hierarchy of the file behind its input, if there is one. Off: it
+   * computes an order of merges for the input. Default: on.
    */
   vtkSetMacro(UseFileHierarchy, bool);
   vtkGetMacro(UseFileHierarchy, bool);
@@ -177,13 +177,12 @@ public:
   ///@}
 
   /**
-   * Number of merges for the input of the last update, which is the largest number of points that
-   * can be removed.
+   * Largest number of points that can be removed from the input of the last update.
    */
   vtkIdType GetMostMerges();
 
   /**
-   * Root mean square error of the output, as SimplificationRMSError has it.
+   * Root mean square error of the output, defined as for SimplificationRMSError.
    */
   double GetOutputRMSError();
 

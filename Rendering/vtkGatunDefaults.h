@@ -13,22 +13,22 @@
  * *Transfer function.* Values that fill most of the volume are nearly transparent. Values that are
  * rare, or far from the median, are opaque. Opacities are scaled so that the image is neither empty
  * nor solid. They follow from a histogram, weighted by volume, of meshes with up to two million
- * tetrahedra and volumes with up to eight million voxels as a whole, and of larger ones from parts
- * of it that are evenly distributed. Colors span the values without the outermost 0.05 % of the
- * volume at each end, so that outliers do not matter. NaN and infinite values are left out. A
- * constant is drawn as an even haze. The result does not depend on the number of threads, nor on
- * chunks or on whether the mesh is in a file, if it is used as a whole. Of a series, the values of
- * one time step are used: for images with one scale, set Range, or use the functions of one step.
+ * tetrahedra and volumes with up to eight million voxels as a whole, and of evenly distributed
+ * parts of larger ones. Colors span the values without the outermost 0.05 % of the volume at each
+ * end, so that outliers do not matter. NaN and infinite values are left out. A constant is drawn as
+ * an even haze. The result does not depend on the number of threads, nor on chunks or on whether
+ * the mesh is in a file, if it is used as a whole. Of a series, the values of one time step are
+ * used: for images with one scale, set Range, or use the functions of one step.
  *
- * *Camera.* The camera keeps its direction, and is moved so that the projection of all cells
- * fills 94 % of the width or height of the image and is in its middle. Of a file, the chunks that
- * reach farthest are decoded, until there are 2^20 points; the boxes of others stand for them, so
- * that the object may fill less of the image, but nothing is cut off.
+ * *Camera.* The camera keeps its direction, and is moved so that the projection of all cells fills
+ * 94 % of the width or height of the image and is in its middle. Of a file, the outermost chunks
+ * are decoded, up to 2^20 points. Other chunks count by their boxes, so that the object may fill
+ * less of the image, but nothing is cut off.
  *
  * *Cost.* A histogram decodes the chunks that it uses once, or up to four times if a few values are
  * far from all others.
  *
- * *Errors.* Methods return false and report by vtkErrorMacro what is missing or damaged. Arguments
+ * *Errors.* Methods return false and report missing or damaged input by vtkErrorMacro. Arguments
  * are unchanged then.
  *
  * @sa vtkGatunVolumeMapper vtkGatunRayCaster vtkGatunHartleyView
@@ -95,8 +95,8 @@ public:
 
   ///@{
   /**
-   * Time of a file. If UseTime is off, it is the time that was requested of the reader last, or the
-   * first one. Defaults: 0 and off.
+   * Time of a file. If UseTime is off, the last time that the reader was asked for, or the first
+   * one. Defaults: 0 and off.
    */
   vtkSetMacro(Time, double);
   vtkGetMacro(Time, double);
@@ -107,8 +107,8 @@ public:
 
   ///@{
   /**
-   * The values that colors and opacities span: smallest and largest. If the first is not below the
-   * second, they are chosen by the histogram. Default: 1, -1.
+   * Range of values that colors and opacities span. If the first value is not below the second one,
+   * the histogram determines the range. Default: 1, -1.
    */
   vtkSetVector2Macro(Range, double);
   vtkGetVector2Macro(Range, double);
@@ -116,8 +116,8 @@ public:
 
   ///@{
   /**
-   * Length of a ray for which the opacities are meant, in world units. 0: a hundredth of the
-   * diagonal of the object's bounds. Not negative. Default: 0.
+   * Length of a ray to which the opacities refer, in world units. 0: a hundredth of the diagonal of
+   * the object's bounds. Not negative. Default: 0.
    */
   vtkSetClampMacro(UnitDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(UnitDistance, double);
@@ -141,9 +141,8 @@ public:
   static void MakeColors(double least, double most, vtkColorTransferFunction* colors);
 
   /**
-   * Opacities for a range of values, from 0.01 to 0.45, that grow with them: for images that show
-   * the largest value of each ray, to which lengths do not matter. Replaces the nodes of the
-   * function.
+   * Opacities for a range of values, from 0.01 to 0.45, that grow with them: for images of the
+   * largest value of each ray, which do not depend on lengths. Replaces the nodes of the function.
    */
   static void MakeRamp(double least, double most, vtkPiecewiseFunction* opacities);
 

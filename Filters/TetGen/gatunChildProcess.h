@@ -14,7 +14,7 @@ namespace gatun
 enum class ChildOutcome
 {
   Done,
-  Crashed, ///< or ended with another exit code than those of the others
+  Crashed, ///< or ended with any other exit code
   OutOfMemory,
   Stopped ///< because keepGoing returned false
 };
@@ -22,9 +22,9 @@ enum class ChildOutcome
 using Bytes = std::vector<unsigned char>;
 
 /**
- * Starts a program, sends it the input through a socket that is its standard input, and returns
- * what it answers there. The process gets none of the other open files of this one, and no code of
- * this one runs in it. While it runs, keepGoing is called about ten times a second; the process is
+ * Starts a program, sends it the input through a socket as its standard input, and returns its
+ * answer from there. The process gets none of the other open files of this one, and no code of this
+ * one runs in it. While it runs, keepGoing is called about ten times a second; the process is
  * killed when keepGoing returns false. If quiet is set, its messages are discarded. Throws
  * std::system_error if the program cannot be started, and std::bad_alloc.
  */

@@ -3,8 +3,8 @@
 #ifndef gatunTetGenStream_h
 #define gatunTetGenStream_h
 
-// What the library and the program gatun-tetgen send each other. Both are of one build and on one
-// machine, so numbers are as they are in memory.
+// Messages between the library and the program gatun-tetgen. Both are of one build and on one
+// machine, so numbers have the layout of memory.
 //
 // To the program: TetGenTask, switches, points, triangles, holes. From the program: points,
 // tetrahedra, regions, or one vector with the number of triangles that intersect others.

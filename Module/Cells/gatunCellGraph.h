@@ -15,8 +15,8 @@
 namespace gatun
 {
 /**
- * The edges of a cell and the corners of its quadrilaterals, in local numbers: what predictions of
- * a corner from others need.
+ * The edges of a cell and the corners of its quadrilaterals, in local numbers, for predictions of a
+ * corner from others.
  */
 class CellGraph
 {

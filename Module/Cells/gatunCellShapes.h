@@ -27,7 +27,7 @@ struct CellShape
   std::span<const std::uint8_t> Faces;
 };
 
-/** What a cell type is to a volume. */
+/** Role of a cell type in a volume. */
 struct CellKind
 {
   /** Of the space that a cell fills: 0 to 3, or -1 for an unknown type. */

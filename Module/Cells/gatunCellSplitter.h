@@ -27,8 +27,8 @@ public:
 
   /**
    * Calls use with the corners of each tetrahedron of a cell. Nonlinear cells are taken for linear
-   * ones, and convex point sets for their hull (see FindHullFaces). Tetrahedra stay as they are.
-   * Cells of a lower dimension, of a wrong size and of unknown types have no tetrahedra.
+   * ones, and convex point sets for their hull (see FindHullFaces). Tetrahedra do not change. Cells
+   * of a lower dimension, of a wrong size and of unknown types have no tetrahedra.
    *
    * faces: of a polyhedron, for each face the number of its points and their ids.
    */

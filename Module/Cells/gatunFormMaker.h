@@ -44,10 +44,10 @@ GATUN_EXPORT bool IsClosedSurface(SurfaceView faces, unsigned corners);
 
 /**
  * Sees a closed surface from one of its faces, the gate. The corners of the gate are numbered
- * first, clockwise if seen from outside, then others as they are met: a queue of edges begins with
- * those of the gate; over each one, the face that has it is met, and its edges come to the end of
- * the queue. The numbers of the corners, face by face, are the form of the surface. A surface has
- * equal forms if it is symmetric.
+ * first, clockwise if seen from outside, then others in breadth-first order over the edges: the
+ * face behind each edge of a queue appends its edges, and the queue begins with the edges of the
+ * gate. The numbers of the corners, face by face, are the form of the surface. A surface has equal
+ * forms if it is symmetric.
  */
 class FormMaker
 {
@@ -64,8 +64,7 @@ public:
     SurfaceView faces, unsigned corners, unsigned gate, unsigned start, bool mirrored);
 
   /** The number of corners of the gate, then for each further face the number of its corners and
-   * the corners themselves without the first two, which are those of the edge over which it was
-   * met. */
+   * the corners themselves without the first two, the ends of the edge over which it was met. */
   const FormCode& GetCode() const { return this->Code; }
 
   /** The surface's corner for each one of the form. */

@@ -49,8 +49,8 @@ struct HexSides
 };
 
 /**
- * The form of a hexahedron, which looks alike from all its faces: what CellForm finds out about it,
- * but known to the compiler.
+ * The form of a hexahedron, which is the same from all its faces. Has the results of CellForm,
+ * known to the compiler.
  */
 struct HexForm : HexSides
 {
@@ -127,7 +127,7 @@ struct HexForm : HexSides
     return below;
   }();
 
-  /** What is around a corner. */
+  /** The surroundings of a corner. */
   struct Surroundings
   {
     /** Opposite to the corner between neighbors 0 and 1, 0 and 2, 1 and 2. */

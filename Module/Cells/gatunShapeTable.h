@@ -63,7 +63,7 @@ private:
 };
 
 /**
- * The surface of a polyhedron in local numbers: those of the points of its faces as they come.
+ * The surface of a polyhedron in local numbers, in the order of the points of its faces.
  */
 class PolyhedronSurface
 {

@@ -71,7 +71,7 @@ private:
 };
 
 /** The order of points by their coordinates: by x, then y, then z. It is total: -0 is before 0, and
- * what is not a number is beyond infinity. */
+ * NaN is beyond infinity. */
 template <typename T>
 class PointOrder
 {
@@ -123,8 +123,8 @@ private:
 /**
  * Calls use with the corners of each tetrahedron of a cell. Faces are divided by the diagonals from
  * their least corner, and the cell by the planes through its least corner; of corners at the same
- * place, the first one counts. Tetrahedra are oriented as the cell is. Those that would have a
- * corner twice, as in degenerate cells, are left out.
+ * place, the first one counts. Tetrahedra are oriented as the cell is. Tetrahedra with a corner
+ * twice, as in degenerate cells, are left out.
  *
  * isLess: the order of points, such as PointOrder.
  */

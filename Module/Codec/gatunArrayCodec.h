@@ -32,20 +32,20 @@ struct ArrayModes
 struct ModeChoice
 {
   std::size_t Part = 64;   ///< by its size divided by this,
-  double BitsOfValue = 0;  ///< and by so many bits a value
+  double BitsOfValue = 0;  ///< and by this number of bits a value
   bool HasWeights = false; ///< whether readers have the weights of quadratic functions by then
 };
 
 /** Encodes own points with all modes and returns the best stream. Components of domains with a
  * quantizer get the keys that readers will have. Where these are on a lattice, the keys must be
- * those of its places, if there are such (Quantizer::ToLattice). */
+ * keys of its places, if there are such (Quantizer::ToLattice). */
 Bytes EncodePointValues(const PointContext& context, std::span<const Domain> domains,
   std::span<ComponentKeys> components, const ModeChoice& choice = {});
 void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext& context,
   std::span<const Domain> domains, std::span<ComponentKeys> components);
 
-/** Encodes values of the cells of a chunk, or on the points of a block: those of domains with a
- * quantizer are on its lattice. */
+/** Encodes values of the cells of a chunk, or on the points of a block. With a quantizer, values
+ * are on its lattice. */
 Bytes EncodeCellValues(const CellContext& context, std::span<const Domain> domains,
   std::span<ComponentKeys> components, const ModeChoice& choice = {});
 void DecodeCellValues(std::span<const std::uint8_t> stream, const CellContext& context,

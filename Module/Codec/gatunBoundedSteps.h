@@ -41,7 +41,7 @@ inline bool AreStepsTooFine(const Domain& domain, std::span<const Key> keys)
 }
 
 /**
- * The values that are a number of steps away from what is predicted. See Documentation/format.md,
+ * The values that are a number of steps away from the prediction. See Documentation/format.md,
  * 10.7. AnyDomain: Domain, or one of its special cases.
  */
 template <typename AnyDomain>
@@ -51,7 +51,7 @@ public:
   /** The magnitude of steps is less than this. */
   static constexpr std::int64_t End = std::int64_t{ 1 } << 46;
 
-  /** What steps are counted from. */
+  /** The value from which steps are counted. */
   struct Origin
   {
     double Number = 0;

@@ -23,8 +23,8 @@
 namespace gatun
 {
 /**
- * Codes the values of a component that may have an error: how many steps they are away from what is
- * predicted. See Documentation/format.md, 10.7.
+ * Codes the values of a component that may have an error, as numbers of steps away from the
+ * prediction. See Documentation/format.md, 10.7.
  */
 class BoundedValues
 {
@@ -98,7 +98,7 @@ private:
   static constexpr unsigned Signs = 3;
   static constexpr unsigned Ones = 14; // decisions of a number of steps that have a model each
 
-  /** What is known of the number of steps. */
+  /** Context of a number of steps. */
   struct Context
   {
     unsigned Class = 0;
@@ -147,7 +147,7 @@ private:
   template <typename Coder>
   std::int64_t CodeSteps(Coder& coder, const Context& context, std::int64_t steps)
   {
-    // What is left of it after the low bits is rounded down, so that these are those of all signs.
+    // The high part is rounded down, so that the low bits are the same for both signs.
     const std::int64_t high = steps >> context.Shift;
     auto magnitude = static_cast<std::uint64_t>(high < 0 ? -high : high);
     std::int64_t coded = 0;

@@ -16,8 +16,8 @@
 namespace gatun
 {
 /**
- * Encodes how the corners of cells are turned into those that are wanted. All vertices of wanted
- * must have the numbers that they have in cells, and order leads from one list to the other.
+ * Encodes the permutations that turn the corners of cells into the wanted ones. Vertices must have
+ * the same numbers in both lists; order maps one list to the other.
  */
 Bytes EncodeCorners(const CellList& cells, const CellList& wanted,
   std::span<const std::uint32_t> order, std::span<const std::uint32_t> inputOf);

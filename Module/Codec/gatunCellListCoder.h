@@ -4,7 +4,7 @@
 #ifndef gatunCellListCoder_h
 #define gatunCellListCoder_h
 
-// Cells one by one, of any type and in any state: what no walk takes.
+// Cells that no walk takes, one by one, of any type and in any state.
 
 #include "gatunAttachedNodes.h"
 #include "gatunCellBuilder.h"
@@ -101,7 +101,7 @@ private:
     BitModel IsNew, IsShared, IsRow, IsRecent;
   };
 
-  /** What is known about the corners at one position. */
+  /** Models of the corners at one position. */
   struct PositionModels
   {
     std::array<WayModels, std::size_t{ Ways } * Ways> Way; // the last one here, and before it

@@ -13,7 +13,7 @@
 
 namespace gatun
 {
-/** What the user wants of a component. */
+/** The user's requirements for a component. */
 struct RoundingRequest
 {
   ErrorBound Bound;
@@ -53,7 +53,7 @@ public:
   /** Keeps what is known in little memory. */
   void Compress() { this->Palettes.Compress(); }
 
-  /** What is known for another process, and its addition to that here. */
+  /** Serializes the survey for another process, and adds such a message. */
   void Put(ByteWriter& out)
   {
     this->Palettes.Put(out);
@@ -76,9 +76,9 @@ public:
   }
 
   /**
-   * The domain of so many tuples in all. before: the scale of the same component at the time step
-   * before if values may be predicted from it, otherwise null. It is kept if it has all values,
-   * because they could not be predicted with another one.
+   * The domain for the given number of tuples. before: the scale of the same component at the time
+   * step before if values may be predicted from it, otherwise null. It is kept if it has all
+   * values, because they could not be predicted with another one.
    */
   Domain Finish(std::uint64_t count, PaletteUse use, const Scale* before = nullptr)
   {

@@ -19,9 +19,9 @@ constexpr std::uint32_t MaxWalkedCorners = 32767;
 class EncoderSurface
 {
 public:
-  /** candidates: the cells that may be taken. Those that have no edge in common with another one
-   * are not. keepCorners: whether triangles keep their first corner. Otherwise they begin with any
-   * one that is found by itself, and keep their orientation. */
+  /** candidates: the cells that may be taken. Cells that share no edge with another one are not.
+   * keepCorners: whether triangles keep their first corner. Otherwise they may begin with any
+   * corner, and keep their orientation. */
   EncoderSurface(
     const CellList& cells, std::span<const std::uint32_t> candidates, bool keepCorners);
 
@@ -32,7 +32,7 @@ public:
    * cell is begun. */
   bool IsUniform() const;
 
-  /** Begins an unvisited cell with an edge, if possible one that runs as it is `turned` or not.
+  /** Begins an unvisited cell with an edge, if possible one with the given orientation (`turned`).
    * Returns false if there is none. */
   bool FindCell(std::uint32_t begin, std::uint32_t end, bool turned);
 

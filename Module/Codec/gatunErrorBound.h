@@ -14,7 +14,7 @@
 
 namespace gatun
 {
-/** What the error of a value is measured by. */
+/** The measure of the error of a value. */
 enum class ErrorKind : std::uint8_t
 {
   None = 0,      ///< values are exact

@@ -14,8 +14,7 @@ namespace gatun
 {
 /**
  * Finds the known vertices around a corner of a cell. getVertex(local) returns the vertex of a
- * corner, or NoVertex if it is not known. Smaller numbers come first. B1 to B3 are left as they
- * are.
+ * corner, or NoVertex if it is not known. Smaller numbers come first. B1 to B3 do not change.
  */
 template <typename GetVertex>
 std::array<CellGraph::Local, 3> FillRecord(

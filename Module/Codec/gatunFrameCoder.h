@@ -5,10 +5,10 @@
 #define gatunFrameCoder_h
 
 // Coordinates of vertices in meshes of well-shaped tetrahedra, as Delaunay meshers make them. A
-// vertex is expected above the center of the circle through the corners of its gate, and it is
-// closer to that place along the normal than across it: each coordinate is predicted from those
-// before it, too, as in a normal distribution with two variances. Encoder and decoder compute
-// alike: IEEE binary64 in the order written.
+// vertex is expected above the circumcenter of its gate, and it is closer to that place along the
+// normal than across it. Each coordinate is also predicted from the previous ones, as in a normal
+// distribution with two variances. Encoder and decoder compute alike: IEEE binary64 in the order
+// written.
 
 #include "gatunError.h"
 #include "gatunGateFrame.h"
@@ -82,7 +82,7 @@ private:
     const double height = this->Height * frame.Size;
     const double ofFar = this->OfFar / frame.Size;
     const double deviation = this->Across * frame.Size;
-    // Of the axes before: the way along the normal, and their part of the variance.
+    // Of the previous axes: the distance along the normal, and their part of the variance.
     double way = 0;
     double variance = 1;
     for (unsigned i = 0; i < 3; ++i)

@@ -305,7 +305,7 @@ private:
     return touch;
   }
 
-  /** Links those of the four faces at an edge that have no visited tetrahedra between them. */
+  /** Links faces at an edge, of the four, that have no visited tetrahedra between them. */
   void JoinTouching(const Touch& touch, Link left, Link right)
   {
     const auto before = this->Open.GetFace(touch.Edge).Over[touch.Edge.GetSide()];

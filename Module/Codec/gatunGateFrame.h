@@ -46,7 +46,7 @@ GATUN_INLINE double Dot(const FrameVector& a, const FrameVector& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/** The shape of a gate and what is around it. */
+/** The shape of a gate and of its surroundings. */
 class GateFrame
 {
 public:

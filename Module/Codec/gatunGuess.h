@@ -12,7 +12,7 @@
 
 namespace gatun
 {
-/** What is known of a value before it is coded. */
+/** A prediction of a value before it is coded. */
 struct Guess
 {
   Key Predicted = 0; ///< unless there is a number

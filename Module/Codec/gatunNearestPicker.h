@@ -44,7 +44,7 @@ public:
   {
   }
 
-  /** The number of candidates that there may be, and of those that may be taken. */
+  /** Limits of candidates, and of taken ones. */
   static constexpr std::size_t MaxCandidates = 1056;
   static constexpr std::size_t MaxTaken = 24;
 
@@ -64,8 +64,8 @@ public:
     this->Marks[v] = this->Center;
   }
 
-  /** Writes the nearest vertices, from the nearest one on, and returns how many. The vertex number
-   * decides between equal distances. */
+  /** Writes the nearest vertices, from the nearest one on, and returns their number. The vertex
+   * number decides between equal distances. */
   std::size_t TakeNearest(std::span<const std::array<double, 3>> places, Vertex* to)
   {
     const auto center = places[this->Center];

@@ -33,7 +33,7 @@ public:
   /** most: the number of different values beyond which there is no palette. */
   explicit PaletteBuilder(ScalarType type, std::size_t most = MaxPalette);
 
-  /** The most values that are worth collecting for so many tuples. */
+  /** The most values that are worth collecting for a number of tuples. */
   static std::size_t GetMost(std::uint64_t count, PaletteUse use);
 
   void Add(const void* values, std::size_t count, std::size_t components, std::size_t component);
@@ -41,15 +41,15 @@ public:
   /** Keeps the values of the tuples so far in little memory. */
   void Compress();
 
-  /** The values so far for another process, and their addition to those here. */
+  /** Serializes the values for another process, and adds such a message. */
   void Put(ByteWriter& out);
   void Add(ByteReader& in);
 
   /**
-   * The palette of so many tuples in all. Coordinates that are on a lattice, such as rounded ones,
-   * have a palette of all its places, so that ranks are distances, too. Null if there are more
-   * values than a sixteenth of the tuples and no lattice, or more than MaxPalette. Integers never
-   * have a palette.
+   * The palette for the given number of tuples. Coordinates that are on a lattice, such as rounded
+   * ones, have a palette of all its places, so that ranks are distances, too. Null if there are
+   * more values than a sixteenth of the tuples and no lattice, or more than MaxPalette. Integers
+   * never have a palette.
    */
   std::shared_ptr<const Palette> Finish(std::uint64_t count, PaletteUse use);
 

@@ -107,8 +107,8 @@ public:
   }
 
 private:
-  /** The sum over neighbors i of what each adds is four sums, of those with the same i % 4, so that
-   * no addition has to wait for the one before. */
+  /** The sum over neighbors i has four partial sums, by i % 4, so that no addition has to wait for
+   * the previous one. */
   [[gnu::noinline]] double SumUp(const QuadraticFit::Neighbors& neighbors, double first) const
   {
     const double* numbers = this->All.data();
@@ -136,7 +136,7 @@ private:
   std::vector<double> All;
 };
 
-/** Codes the values of a component, given what is predicted for each. */
+/** Codes the values of a component, given the prediction of each. */
 template <typename Coder, typename AnyDomain>
 class PlainValues
 {

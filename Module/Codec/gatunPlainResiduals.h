@@ -77,7 +77,7 @@ private:
   static constexpr unsigned Again = 1; // the last raw one
   static constexpr unsigned Raw = 2;
 
-  /** Codes the sign, as the lowest bit, and what follows the highest bit of the magnitude. */
+  /** Codes the sign, as the lowest bit, and the bits below the highest one of the magnitude. */
   template <typename Coder>
   static std::int64_t CodeRest(
     Coder& coder, unsigned length, std::int64_t residual, std::uint64_t magnitude)

@@ -35,7 +35,7 @@ public:
   /** The numbers of the coordinates of a vertex. */
   using Numbers = std::array<double, 4>;
 
-  /** repeats: whether coordinates may be said to be those of a corner of the triangle. */
+  /** repeats: whether coordinates may be coded as those of a corner of the triangle. */
   explicit PlaneCoder(bool repeats)
     : Repeats(repeats)
     , Tangential(std::size_t{ 2 } * Groups * 4)

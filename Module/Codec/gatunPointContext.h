@@ -4,7 +4,7 @@
 #ifndef gatunPointContext_h
 #define gatunPointContext_h
 
-// The data from which values are predicted, and the ways to do it.
+// The data from which values are predicted, and the predictors.
 
 #include "gatunCellRules.h"
 #include "gatunGeometry.h"
@@ -69,7 +69,7 @@ struct CellContext
 
 /**
  * The values of one component. For points of a chunk there is a key for every vertex of the walk,
- * and those of shared vertices are known. Otherwise keys are in the order of coding.
+ * and keys of shared vertices are known. Otherwise keys are in the order of coding.
  */
 struct ComponentKeys
 {

@@ -17,8 +17,8 @@
 
 namespace gatun
 {
-/** What is over a side of an open face: a side of another one, or the border with the far corner of
- * the face that ended there, or with none. Counts the visited cells around the edge, too. */
+/** The link over a side of an open face: a side of another one, or the border, with or without the
+ * far corner of the face that ended there. Counts the visited cells around the edge, too. */
 class SideLink
 {
 public:
@@ -237,7 +237,7 @@ private:
     return side >= this->FirstSide && this->GetSide(side).Open;
   }
 
-  /** The next side after which there is room for those of a face before the end of the buffer. */
+  /** The next side after which the sides of a face fit before the end of the buffer. */
   std::uint32_t GetSideBegin(unsigned degree) const
   {
     const auto size = this->SideMask + 1;

@@ -17,7 +17,7 @@
 
 namespace gatun
 {
-/** What is around a gate, before its cell is known. Form: as of PolygonCell. */
+/** The surroundings of a gate, before its cell is known. Form: as of PolygonCell. */
 template <typename Builder, typename Form>
 class PolygonGate
 {
@@ -101,7 +101,7 @@ private:
     }
   }
 
-  /** Finds out which faces are probably glued, and of what degrees they are. */
+  /** Predicts which faces are glued, and their degrees. */
   void FindPattern(const PolygonFront::Face& gate)
   {
     auto& grades = this->Grades;

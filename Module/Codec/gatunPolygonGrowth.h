@@ -176,7 +176,7 @@ private:
     return this->Open.AddFace(face, degree, corners.data(), belows.data());
   }
 
-  /** Links what is on the two sides of the edges of the cell. */
+  /** Links the faces on the two sides of the edges of the cell. */
   void JoinEdges(const Cell& cell)
   {
     const auto& form = cell.GetForm();
@@ -212,7 +212,7 @@ private:
     }
   }
 
-  /** Links an opened side to what was over the side of a glued face. */
+  /** Links an opened side to the link over the side of a glued face. */
   void JoinToGlued(std::uint32_t side, std::uint32_t glued)
   {
     const auto link = this->Open.GetSide(glued).Over;
@@ -227,7 +227,7 @@ private:
     }
   }
 
-  /** Links what was over the sides of two glued faces. */
+  /** Joins the links over the sides of two glued faces. */
   void JoinGlued(std::uint32_t one, std::uint32_t other)
   {
     const auto link = this->Open.GetSide(one).Over;

@@ -33,8 +33,8 @@ class LastTwo
 public:
   static constexpr std::uint16_t None = 0xffff;
 
-  /** Codes whether a symbol is one of the two. Those for which skip(symbol) holds do not count.
-   * Returns None if it is neither. */
+  /** Codes whether a symbol is one of the two. Symbols with skip(symbol) do not count. Returns None
+   * if it is neither. */
   template <typename Coder, typename Skip>
   std::uint16_t Code(Coder& coder, std::uint16_t symbol, Skip&& skip)
   {
@@ -92,7 +92,7 @@ struct CellWay
   bool operator==(const CellWay&) const = default;
 };
 
-/** What is known about a gate before its cell. */
+/** Context of a gate before its cell is known. */
 struct GateGrades
 {
   unsigned Degree = 0;   // 0 for a seed, which may have any

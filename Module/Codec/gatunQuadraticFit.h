@@ -73,8 +73,8 @@ private:
   std::unique_ptr<float[]> Shares;
 };
 
-/** The number that a function predicts. first: that at the nearest neighbor, so that a constant is
- * predicted exactly. difference: the weighted sum of what other neighbors have more. */
+/** The prediction of a function. first: the value at the nearest neighbor, so that a constant is
+ * predicted exactly. difference: the weighted sum of the differences of other neighbors to it. */
 inline double AddDifference(double first, double difference)
 {
   const double sum = first + difference;

@@ -4,7 +4,7 @@
 #ifndef gatunQuadraticPlaces_h
 #define gatunQuadraticPlaces_h
 
-// What the quadratic modes have in common: the places whose values are coded, and from which key a
+// Common parts of the quadratic modes: the places whose values are coded, and the key from which a
 // value is predicted.
 
 #include "gatunGuess.h"
@@ -61,7 +61,7 @@ double GetBase(const AnyDomain& domain, TemporalMode temporal, const ComponentKe
   return temporal == TemporalMode::Change ? domain.ToNumber(keys.Before[v]) : 0.0;
 }
 
-/** What is predicted at a place: a number, or the key before if the base is not finite. */
+/** The prediction at a place: a number, or the previous key if the base is not finite. */
 inline Guess MakeGuess(double base, double predicted, const ComponentKeys& keys, Vertex v)
 {
   Guess guess;

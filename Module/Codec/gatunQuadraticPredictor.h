@@ -18,7 +18,7 @@
 
 namespace gatun
 {
-/** What is predicted for a number. */
+/** The prediction for a number. */
 struct QuadraticPrediction
 {
   double Number = 0;
@@ -32,7 +32,7 @@ struct QuadraticPrediction
  * fit with a linear fit and the rule that predicted the coordinates, by the errors that each has
  * made at the neighbors. See Documentation/format.md, 10.10.
  *
- * Any numbers are valid. Those that are not finite are replaced by what was predicted there.
+ * Any numbers are valid. Values that are not finite are replaced by their predictions.
  */
 class QuadraticPredictor
 {
@@ -53,8 +53,8 @@ public:
     this->Numbers[v] = this->LastShared;
   }
 
-  /** Predicts the next own vertex. other: gives what another rule predicts from the numbers of all
-   * vertices, as an optional double. */
+  /** Predicts the next own vertex. other: returns the prediction of another rule from the numbers
+   * of all vertices, as an optional double. */
   template <typename Other>
   QuadraticPrediction Predict(std::size_t own, const Other& other)
   {

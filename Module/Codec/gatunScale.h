@@ -4,7 +4,7 @@
 #ifndef gatunScale_h
 #define gatunScale_h
 
-// Keys of values that a type can tell apart more finely than they are.
+// Keys of values that are coarser than their type.
 
 #include "gatunTypes.h"
 
@@ -16,8 +16,8 @@ enum class ScaleKind : std::uint8_t
 {
   None = 0,
   Shift = 1,   ///< the lowest bits of all values are 0
-  Decimal = 2, ///< decimal numbers of so many significant digits
-  Fixed = 3,   ///< decimal numbers of so many digits behind the point
+  Decimal = 2, ///< decimal numbers with a number of significant digits
+  Fixed = 3,   ///< decimal numbers with a number of decimal places
   Binary = 4   ///< multiples of a power of two
 };
 

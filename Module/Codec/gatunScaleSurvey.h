@@ -36,7 +36,7 @@ public:
   bool Holds(const Scale& scale) const;
 
 private:
-  /** What is known of the decimal numbers. */
+  /** State of the search for decimal numbers. */
   struct Decimals
   {
     bool IsPossible = true;
@@ -46,7 +46,7 @@ private:
     std::int64_t Sum = 0; // of the decades
   };
 
-  /** What is known of the multiples of a power of two. */
+  /** State of the search for multiples of a power of two. */
   struct Multiples
   {
     bool IsPossible = true;

@@ -113,7 +113,7 @@ public:
   //----------------------------------------------------------------------------
   // Vertices that may be a corner
 
-  /** Predicts a corner's place and finds the vertices around it: those on the front, and others. */
+  /** Predicts a corner's place and finds the vertices around it, on the front and elsewhere. */
   void FindCandidates(const CellRecord& record)
   {
     this->Predict(record);
@@ -163,8 +163,8 @@ public:
   //----------------------------------------------------------------------------
   // The front
 
-  /** Closes the glued edges and opens the others. edge: what they have in common. getFrame(side) is
-   * stored with each one. */
+  /** Closes the glued edges and opens the others. edge: the data that they have in common.
+   * getFrame(side) is stored with each one. */
   template <typename GetFrame>
   void Attach(SurfaceFront::Edge edge, GetFrame&& getFrame)
   {
@@ -268,7 +268,7 @@ private:
     }
   }
 
-  /** Links what meets at the corner between two sides. */
+  /** Links the edges that meet at the corner between two sides. */
   void LinkCorner(std::uint32_t side, std::uint32_t next, std::uint32_t firstEdge)
   {
     const auto a = this->Sides[side]; // begins at the corner

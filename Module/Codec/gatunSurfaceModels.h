@@ -18,7 +18,7 @@
 
 namespace gatun
 {
-/** What is known about one end of a gate. */
+/** Context of one end of a gate. */
 struct GateEnd
 {
   static constexpr unsigned NoAngle = 15;     // where the front is unknown

@@ -22,9 +22,9 @@ class FileReader;
 class RayChunks;
 
 /**
- * Which tetrahedra of a base mesh a mesh of several base meshes has: those without a corner that
- * is too coarse, of which any is too coarse in the next base mesh. One element for each point of
- * the base mesh, before the merges of the cut.
+ * Selects the tetrahedra of a base mesh in a mesh of several base meshes: no corner is too coarse,
+ * and any corner is too coarse in the next base mesh. One element for each point of the base mesh,
+ * before the merges of the cut.
  */
 struct CoarseMask
 {
@@ -50,18 +50,18 @@ public:
   CoarseRaySource(std::shared_ptr<const FileReader> file, const MergeTree& tree, MergeCut cut,
     const RayValues& values, std::uint64_t budget);
 
-  /** Uses a cache that others use, too, and keeps blocks within the same budget. */
+  /** Uses a shared cache, and keeps blocks within the same budget. */
   CoarseRaySource(std::shared_ptr<ChunkCache> parts, const MergeTree& tree, MergeCut cut,
     const RayValues& values);
 
-  /** Takes the blocks that are the same from another source of the same chunks, which may be null.
-   * With a mask, only chunks that have any of its tetrahedra are blocks. */
+  /** Takes equal blocks from another source of the same chunks, which may be null. With a mask,
+   * only chunks that have any of its tetrahedra are blocks. */
   CoarseRaySource(std::shared_ptr<RayChunks> chunks, std::shared_ptr<CacheBudget> budget,
     const MergeTree& tree, MergeCut cut, CoarseMask mask, const CoarseRaySource* other);
 
   ~CoarseRaySource() override;
 
-  /** The chunk of the file that a block is. */
+  /** The chunk of a block in the file. */
   std::uint32_t GetChunk(std::size_t block) const;
 
   std::size_t GetNumberOfBlocks() const override;

@@ -17,12 +17,12 @@
 namespace gatun
 {
 /**
- * Chooses the merges that a view allows. A merge is wanted if its error, in pixels where its point
- * is, is at most a tolerance: that of the view, or a larger one that leaves no more points than
- * wanted. Outside of the view, and where no value is visible, all merges are wanted. Of the wanted
- * merges, those are chosen whose dependencies are wanted, too.
+ * Chooses the merges that a view allows. A merge is wanted if its error, in pixels at its point, is
+ * at most a tolerance: the one of the view, or a larger one if too many points would be left.
+ * Outside of the view, and where no value is visible, all merges are wanted. A wanted merge is
+ * chosen if its dependencies are wanted, too.
  *
- * The result depends on the view only, not on those before. Immutable.
+ * The result does not depend on earlier views. Immutable.
  */
 class GATUN_EXPORT DetailCuts
 {
@@ -35,10 +35,10 @@ public:
   };
 
   /**
-   * Points: how many the mesh has before the merges; the tree may have more, which were merged
-   * before. Places: where the points of the tree are, approximately. placeOf: for each point of the
-   * tree, one of these; or their number, if it is not known, for all of open, whose largest weight
-   * counts. Size: that of the mesh, in world units, above 0.
+   * Points: number of points of the mesh before the merges. The tree may have more, which were
+   * merged before. Places: where the points of the tree are, approximately. placeOf: for each point
+   * of the tree, one of these; or their number, if it is not known, for all of open, whose largest
+   * weight counts. Size: of the mesh, in world units, above 0.
    */
   DetailCuts(std::shared_ptr<const MergeTree> tree,
     std::shared_ptr<const MergeDependencies> dependencies, std::uint64_t points,
@@ -47,7 +47,7 @@ public:
 
   const MergeTree& GetTree() const { return *this->Tree; }
 
-  /** Points: how many may be left, about. */
+  /** Points: approximate limit of remaining points. */
   MergeCut Choose(const DetailView& view, std::uint64_t points) const;
 
   /** The largest weight of a place: pixels for an error of 1. */

@@ -11,7 +11,7 @@
 
 namespace gatun
 {
-/** What an image needs of a mesh. */
+/** Requirements of an image for a mesh. */
 struct DetailView
 {
   RayView View; ///< for the coordinates of the mesh, with a ray for each pixel
@@ -30,11 +30,11 @@ struct DetailView
   }
 };
 
-/** A level of detail: the same everywhere, or finer where a view needs it. */
+/** A level of detail: uniform, or finer where a view needs it. */
 struct DetailRequest
 {
-  /** The number of points that are left, about; fewer where the pixel error of the view allows it.
-   */
+  /** The approximate number of remaining points; fewer where the pixel error of the view allows
+   * it. */
   std::uint64_t Points = 0;
 
   std::shared_ptr<const DetailView> View; ///< null: the same everywhere

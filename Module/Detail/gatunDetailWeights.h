@@ -19,9 +19,9 @@ namespace gatun
 GATUN_EXPORT double GetDiagonal(const Bounds& box);
 
 /**
- * How much the error of a merge counts at a place, for a view: the length of an object in pixels,
- * if it were there. It is 0 outside of the view, and falls to 0 over a tenth of the size of the
- * object, because simplified meshes with sharp changes of detail need many more tetrahedra.
+ * Weight of the error of a merge at a place, for a view: the length of an object in pixels, if it
+ * were there. It is 0 outside of the view, and falls to 0 over a tenth of the size of the object,
+ * because simplified meshes with sharp changes of detail need many more tetrahedra.
  *
  * Distances are those from the plane of the eye. Places nearer than the near clipping plane, or a
  * thousandth of the size of the object, count as if they were there.

@@ -23,14 +23,14 @@ class CoarseRaySource;
 
 /**
  * Meshes for views from some successive base meshes of a file. The finest of them determines how
- * fine a mesh can be. What is coarse comes from the coarsest that has all merges that lead to it,
- * so that of finer ones only those chunks are decoded where a view needs them.
+ * fine a mesh can be. Coarse places come from the coarsest base mesh with all merges that lead to
+ * them, so that of finer ones only the chunks that a view needs are decoded.
  *
  * A tetrahedron of a base mesh is one of the mesh of a cut, after its remaining merges, if the cut
  * has all merges that led to the corners of the tetrahedron in the base mesh. Of the tetrahedra
- * that are what is left of one in the file, one base mesh draws one.
+ * that come from one in the file, one base mesh draws one.
  *
- * The points of base meshes are told apart by their merges: the merges of a base mesh are the last
+ * The points of base meshes are identified by their merges: the merges of a base mesh are the last
  * ones of all finer ones. Where points take part in no more merges, the coarsest base mesh draws
  * either all of them or none.
  */
@@ -55,8 +55,8 @@ public:
 
   const DetailCuts& GetCuts() const { return *this->Cuts; }
 
-  /** Makes the mesh for a view, with about so many points. Blocks that are those of the last mesh
-   * are taken from it. */
+  /** Makes the mesh for a view, with about this number of points. Blocks of the last mesh that do
+   * not change are reused. */
   DetailLevel Make(const DetailView& view, std::uint64_t points);
 
 private:

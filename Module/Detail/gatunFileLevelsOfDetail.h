@@ -30,8 +30,8 @@ public:
   /** Throws InvalidInput if the file has no merge tree, or no such array or step. */
   FileLevelsOfDetail(std::shared_ptr<const FileReader> file, const RayValues& values);
 
-  /** The same for a file that others use, too. Its sources keep their blocks within the budget of
-   * the file, whatever budget MakeSource is given. */
+  /** The same for a shared file. Its sources keep their blocks within the budget of the file,
+   * whatever budget MakeSource is given. */
   FileLevelsOfDetail(std::shared_ptr<SharedFile> shared, const RayValues& values);
 
   ~FileLevelsOfDetail() override;
@@ -57,7 +57,7 @@ private:
   SimplifiedFile& File;                      // of these two
   RayValues Values;
 
-  // For views: the chunks of levels that were used, and what was made of some levels last.
+  // For views: the chunks of levels that were used, and the last meshes of some levels.
   std::shared_ptr<CacheBudget> Budget;
   std::vector<std::shared_ptr<RayChunks>> Chunks;
   std::size_t Fine = 0;

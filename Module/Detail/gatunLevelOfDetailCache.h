@@ -15,8 +15,8 @@
 namespace gatun
 {
 /**
- * Levels of detail of a mesh that are ready for drawing. When there is no room left, the levels
- * that have not been used for the longest time are removed.
+ * Levels of detail of a mesh that are ready for drawing. When the budget is used up, the least
+ * recently used levels are removed.
  *
  * A background thread first determines how the mesh can be simplified, then prepares a level that
  * is coarse enough to be drawn at once, then the levels that are requested. While frames are drawn,
@@ -61,14 +61,12 @@ public:
 
   /** Returns the nearest ready level that is coarser than the whole mesh; none, with 0 points, if
    * there is none. The distance of a level with more points than wanted counts twice. For a view,
-   * levels for views that were requested more recently are nearer, and after many views so are
-   * those that are the same everywhere. */
+   * levels for recent views are nearer, and after many views so are uniform levels. */
   DetailRequest FindReady(const DetailRequest& wanted) const;
 
-  /** Requests levels, which are prepared one after the other; replaces earlier requests. Levels for
-   * which there is no room are skipped. A level for a view that is being made is completed if one
-   * for another view is wanted in its place. Does nothing while the levels of detail are not known.
-   */
+  /** Requests levels, which are prepared one after the other; replaces earlier requests. Levels
+   * that do not fit are skipped. A level for a view that is being made is completed if one for
+   * another view is wanted in its place. Does nothing while the levels of detail are not known. */
   void Prepare(const std::vector<DetailRequest>& wanted);
 
   /** States whether a frame is being drawn. */

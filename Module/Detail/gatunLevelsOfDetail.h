@@ -12,7 +12,7 @@
 
 namespace gatun
 {
-/** A mesh that is simplified, everywhere the same or for a view. */
+/** A mesh that is simplified, uniformly or for a view. */
 struct DetailLevel
 {
   std::shared_ptr<RaySource> Source;
@@ -29,7 +29,7 @@ struct DetailLevel
 class GATUN_EXPORT LevelsOfDetail
 {
 public:
-  /** Where it is finest, a mesh for a view is as fine as a uniform one with this many times its
+  /** The finest places of a mesh for a view are those of a uniform mesh with this factor times its
    * points. */
   static constexpr std::uint64_t FinestToUniform = 8;
 
@@ -46,9 +46,9 @@ public:
   virtual std::shared_ptr<RaySource> MakeSource(std::uint64_t points, std::uint64_t budget) = 0;
 
   /**
-   * Returns a level for a view, or the level that is the same everywhere if there is none or the
-   * mesh is not simplified for views. Progress: while it is found out how; if it returns false,
-   * Error(Aborted) is thrown.
+   * Returns a level for a view, or a uniform level without a view or if the mesh is not simplified
+   * for views. Progress: of the preparation for views; if it returns false, Error(Aborted) is
+   * thrown.
    */
   virtual DetailLevel MakeLevel(
     const DetailRequest& request, std::uint64_t budget, const RaySource::Progress& progress)

@@ -56,8 +56,8 @@ GATUN_EXPORT std::shared_ptr<RaySource> MakeWholeSource(
  * Tetrahedra of the levels with half of the points, a quarter, and so on, are kept once they have
  * been made. A level is made from the next of these, which has at most twice as many points.
  * Together they take about as much memory as the whole mesh. A level for a view is made from one of
- * these that is fine enough where the view needs most, with dependencies between its merges, which
- * are found at its first use and take some 40 bytes a point.
+ * these that is fine enough for the view. The dependencies between its merges are found at its
+ * first use and take some 40 bytes a point.
  */
 class GATUN_EXPORT MemoryLevelsOfDetail final : public LevelsOfDetail
 {

@@ -19,7 +19,7 @@
 
 namespace gatun
 {
-/** What an image needs of a surface. */
+/** Requirements of an image for a surface. */
 struct SurfaceDetailView
 {
   RayView View;                ///< for the coordinates of the surface, with a ray for each pixel
@@ -28,25 +28,24 @@ struct SurfaceDetailView
   bool CullsFrontFaces = false;
   bool IsOpaque = false; ///< whether the far side of a closed surface cannot be seen
 
-  /** How many points may be left, about. */
+  /** Approximate limit of remaining points. */
   std::uint64_t Points = std::numeric_limits<std::uint64_t>::max();
 
-  /** The largest error in pixels, 0 or more; more where it would leave too many points. */
+  /** The largest error in pixels, 0 or more. It is exceeded if too many points would be left. */
   double PixelError = 0;
 
   bool operator==(const SurfaceDetailView&) const = default;
 };
 
 /**
- * Chooses the merges of a surface that a view allows. A merge is wanted if its error, in pixels
- * where its point is, is at most a tolerance. Errors outside of the view do not count, and those
- * where the surface is turned away and cannot be seen; at the silhouette they count in full, and
- * where the surface faces the eye less. Of the wanted merges, those are chosen whose dependencies
- * are wanted, too, so that a closed surface stays closed and no triangle is there that the surface
- * does not have after some number of merges.
+ * Chooses the merges of a surface that a view allows. A merge is wanted if its error, in pixels at
+ * its point, is at most a tolerance. Errors outside of the view and on hidden back faces do not
+ * count. Errors count in full at the silhouette, and less where the surface faces the eye. A wanted
+ * merge is chosen if its dependencies are wanted, too, so that a closed surface stays closed, and
+ * each triangle is one that the surface has after some number of merges.
  *
- * The result depends on the view only, not on those before. Immutable and thread safe. Memory: 24
- * bytes a point, in addition to the tree and the dependencies.
+ * The result does not depend on earlier views. Immutable and thread safe. Memory: 24 bytes a point,
+ * in addition to the tree and the dependencies.
  */
 class GATUN_EXPORT SurfaceDetail
 {
@@ -54,7 +53,7 @@ public:
   using Point = std::array<double, 3>;
   using Triangle = MergeTree::Triangle;
 
-  /** Places: of all points of the tree; those that are not finite never count. Triangles: of the
+  /** Places: of all points of the tree. Points that are not finite never count. Triangles: of the
    * surface before all merges. Throws InvalidInput if the numbers of points, merges and
    * dependencies do not fit. */
   SurfaceDetail(std::shared_ptr<const MergeTree> tree,
@@ -69,8 +68,8 @@ public:
   /** For each point, the pixels of an error of 1. */
   std::vector<float> Weigh(const SurfaceDetailView& view) const;
 
-  /** At least the pixels of an error of 1 anywhere on the surface, if its points have a distance
-   * that is usual for a surface of its size. */
+  /** An upper bound of the pixels of an error of 1 on the surface, if its points have the usual
+   * distance for a surface of its size. */
   double BoundWeights(const SurfaceDetailView& view) const;
 
   /** Whether the surface is closed and its normals, by the order of corners, are outward. */

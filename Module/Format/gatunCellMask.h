@@ -28,7 +28,7 @@ struct RemainingCounts
   bool operator==(const RemainingCounts&) const = default;
 };
 
-/** Which cells of a mesh are alive, in the order of the file. */
+/** Which cells of a mesh remain, in the order of the file. */
 struct CellMask : RemainingCounts
 {
   std::vector<bool> IsAlive; ///< one for each cell of the mesh
@@ -48,7 +48,7 @@ struct CellMask : RemainingCounts
   /** Whether a stored mask needs the one before. */
   static bool NeedsBefore(std::span<const std::uint8_t> bytes);
 
-  /** What a mask must fit to. */
+  /** The sizes to which a mask must fit. */
   struct Mesh
   {
     std::uint64_t Cells = 0;

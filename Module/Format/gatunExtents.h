@@ -4,8 +4,8 @@
 #ifndef gatunExtents_h
 #define gatunExtents_h
 
-// Embedded files that have bytes in common with what is before them. See Documentation/format.md,
-// 18.3.
+// Embedded files that have bytes in common with earlier parts of the file. See
+// Documentation/format.md, 18.3.
 
 #include "gatunBytes.h"
 #include "gatunContainer.h"

@@ -29,8 +29,8 @@ public:
   /** Opens a file; O_CLOEXEC is added to the flags. The umask applies to mode. */
   int Open(const std::string& path, int flags, ::mode_t mode = 0);
 
-  /** Reads at an offset and removes from the span what has been read. Bytes remain only if the
-   * file ends before. Thread safe. */
+  /** Reads at an offset and removes the bytes read from the span. Bytes remain only if the file
+   * ends before. Thread safe. */
   int ReadAt(std::uint64_t offset, std::span<std::uint8_t>& bytes) const;
 
   /** Writes all bytes at an offset, which may lie behind the end of the file. */

@@ -28,7 +28,7 @@ enum class LayerSpacing : std::uint8_t
 
 constexpr std::uint32_t MaxLayers = 4096;
 
-/** The layers to organize a new file by. */
+/** The layers of a new file. */
 struct LayerRequest
 {
   std::uint32_t Array = 0; ///< index of a point array

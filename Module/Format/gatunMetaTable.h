@@ -53,7 +53,7 @@ struct MetaTable
 /** Coordinates of points that move, as an array. */
 ArrayDescription DescribePoints(ScalarType type);
 
-/** The type of the original numbers of so many points or cells. */
+/** The type of the original numbers for a number of points or cells. */
 constexpr ScalarType GetNumberType(std::uint64_t count)
 {
   return count < std::uint64_t{ 1 } << 32 ? ScalarType::UInt32 : ScalarType::UInt64;

@@ -33,7 +33,7 @@ public:
   /** Such a file, which never has a name. */
   OutputFile(Embedded, const OutputFile& whole);
 
-  /** The sections of one process of those that write a file together, in a scratch file in a
+  /** The sections of one of several processes that write a file together, in a scratch file in a
    * folder. */
   explicit OutputFile(const std::string& folder);
 
@@ -53,8 +53,8 @@ public:
    * that file. */
   std::uint64_t AddSection(FourCC name, OutputFile& part);
 
-  /** The same, but stores only once what the part has in common with this file: sections, or
-   * streams of them, that are equal byte by byte. Returns the bytes that were added. */
+  /** The same, but stores sections and streams that are equal to earlier ones of this file, byte by
+   * byte, only once. Returns the bytes that were added. */
   std::uint64_t AddShared(FourCC name, OutputFile& part);
 
   /** Tells the streams of the section that was added last, in ascending order, so that AddShared

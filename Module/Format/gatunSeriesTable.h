@@ -33,9 +33,9 @@ bool HasMasks(std::span<const StoredStep> steps);
 
 Bytes WriteSeries(std::span<const StoredStep> steps);
 
-/** Reads the steps of a file with so many meshes, whose first one has so many masks. Throws
- * Error(Corrupt) unless times ascend, and meshes and masks are numbered in the order of their first
- * steps. */
+/** Reads the steps of a file, given its number of meshes and the number of masks of the first one.
+ * Throws Error(Corrupt) unless times ascend, and meshes and masks are numbered in the order of
+ * their first steps. */
 std::vector<StoredStep> ReadSeries(
   std::span<const std::uint8_t> bytes, std::size_t meshes, std::size_t masks);
 }

@@ -52,7 +52,7 @@ struct StepIndex
     ArrayRanges Ranges;
     StreamRef Unused; // values of the unused points; point arrays only
 
-    /** Whether all components are those of another array, which has their streams. */
+    /** Whether all components are copies of those of another array, which has their streams. */
     bool IsCopy() const { return !this->Palettes.empty() && this->Palettes[0].second.IsCopy(); }
 
     /** Whether keys at the step before are of the same values, so that streams may refer to them.
@@ -76,8 +76,8 @@ struct StepIndex
 
   Bytes Write(const MetaTable& meta) const;
 
-  /** The coordinates of a step that does not have its own are those of the step before. before:
-   * that step, null if it is the first one. */
+  /** A step without coordinates has those of the previous step. before: that step, null for the
+   * first one. */
   static StepIndex Read(std::span<const std::uint8_t> bytes, const MetaTable& meta,
     const MeshIndex& mesh, const StepIndex* before);
 
@@ -107,7 +107,7 @@ struct StepPage
 StepIndex WriteStepPages(
   const StepTable& step, const MetaTable& meta, const MeshIndex& mesh, const PutPage& put);
 
-/** Throws unless a stream can contain the values of so many points or cells. */
+/** Throws unless a stream can contain the values of this number of points or cells. */
 void CheckValues(const ArrayDescription& array, std::uint64_t tuples, const StreamRef& stream);
 }
 

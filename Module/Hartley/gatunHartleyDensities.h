@@ -18,7 +18,7 @@ namespace gatun
 LargeArray<float> DecodeHartleyDensities(
   const HartleySource& source, const std::function<bool(double)>& progress = {});
 
-/** What limits the resolution of X-rays of a volume. */
+/** The limit of the resolution of X-rays of a volume. */
 struct HartleyDetail
 {
   /** The mean of the outermost voxels. A box of this value has a closed form; its sharp border
@@ -29,8 +29,8 @@ struct HartleyDetail
   std::array<double, 3> Largest{};
 
   /** The highest frequency that images along the axes need, in cycles per voxel, at most 0.5: the
-   * mean square of what exceeds it is below a quarter of the error, which is relative to the
-   * largest sum. */
+   * mean square of higher ones is below a quarter of the error, which is relative to the largest
+   * sum. */
   double Cut = 0.5;
 
   /** Subtracts the mean of the outermost voxels from all voxels and measures the rest. Parallel. */

@@ -35,7 +35,7 @@ public:
   /** Largest distance of a voxel from the center. */
   double GetRadius() const { return this->Radius; }
 
-  /** The same for what is drawn: the volume falls to zero one voxel beyond the outermost voxels. */
+  /** The same for the drawn volume, which falls to zero one voxel beyond the outermost voxels. */
   double GetReach() const { return this->Reach; }
 
   /** Edge of a cube of the same volume as a voxel's cell. */

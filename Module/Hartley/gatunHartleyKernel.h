@@ -52,9 +52,9 @@ struct HartleyTap
   float Odd;
 };
 
-/** How densities become colors. The planes of channels are those of the colors, of which there is
- * one if all are gray, and that of the opacity or, in the exponential model, the optical depth. The
- * planes of an X-ray are the sum of the densities and the number of samples. */
+/** How densities become colors. The planes of channels are the colors (one plane if all are gray)
+ * and the opacity or, in the exponential model, the optical depth. The planes of an X-ray are the
+ * sum of the densities and the number of samples. */
 struct HartleyOpacity
 {
   static constexpr std::size_t TableSize = 4096;

@@ -28,7 +28,7 @@ public:
   double GetTransform(double place) const;
 
   /** The weights of Stored points, for Steps + 1 positions from one point to the next. The first
-   * weight is that of the second point before the position; those after the taps are 0. */
+   * weight is for the second point before the position; weights after the taps are 0. */
   static constexpr std::size_t Stored = 8;
   const float* GetWeights() const { return this->Table.data(); }
 

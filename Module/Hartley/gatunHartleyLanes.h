@@ -16,7 +16,7 @@ struct alignas(32) ComplexLanes
 {
   static constexpr std::size_t Count = 8;
 
-  /** The number of these that so many lines need. */
+  /** The number of such groups for a number of lines. */
   static constexpr std::size_t CountGroups(std::size_t lines)
   {
     return (lines + Count - 1) / Count;
@@ -77,12 +77,12 @@ struct HartleyLaneLoops
   /** Multiplies the numbers of lines by count complex factors. */
   void (*Turn)(ComplexLanes* values, const float* factors, std::size_t count);
 
-  /** Transposes 8 rows of 8 floats. The strides are those of rows, in floats. */
+  /** Transposes 8 rows of 8 floats. The strides are between rows, in floats. */
   void (*Transpose)(const float* from, std::size_t fromStride, float* to, std::size_t toStride);
 
   /** Separates the transforms of two real lines, of which the transformed line was the real and the
-   * imaginary part. Here, there: its values at a frequency and at the opposite one; factor: by
-   * which both are multiplied. */
+   * imaginary part. Here, there: its values at a frequency and at the opposite one; factor: of
+   * both. */
   void (*Separate)(const ComplexLanes& here, const ComplexLanes& there, const float* factor,
     ComplexLanes& first, ComplexLanes& second);
 
@@ -96,7 +96,7 @@ struct HartleyLaneLoops
   void (*FromHalf)(const std::uint16_t* from, std::size_t count, float* to);
 
   /** Stores eight lines of eight complex numbers, given lane by lane, in half precision, each as a
-   * row of real and imaginary parts. Rows: how many of them; columns: how many numbers of each. */
+   * row of real and imaginary parts. Rows: number of rows; columns: numbers of each row. */
   void (*StoreRows)(const ComplexLanes* from, float scale, std::size_t rows, std::size_t columns,
     std::uint16_t* to, std::size_t stride);
 

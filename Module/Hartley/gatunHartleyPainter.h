@@ -39,8 +39,8 @@ public:
 
   virtual std::unique_ptr<Brush> MakeBrush() const = 0;
 
-  /** Whether a block can be painted without its coefficients, because what was computed from them
-   * is kept. */
+  /** Whether a block can be painted without its coefficients, because the results from them are
+   * kept. */
   virtual bool IsKept(std::size_t) const { return false; }
 
   /** The image of a block whose first voxels along x, y and z (filled) are 1 and the others 0. */

@@ -46,9 +46,9 @@ struct HartleyOptions
  * up to the trilinearly interpolated volume. Sums along rays are line integrals of that volume, in
  * samples (HartleyView::Step).
  *
- * The color of a block is that of its mean density along the ray, and so is its opacity in the
- * model TransferFunction. In the model Exponential, the opacity of a block is exact at the points
- * of HartleyLattice; between them it is interpolated.
+ * The mean density along the ray determines the color of a block and, in the model
+ * TransferFunction, its opacity. In the model Exponential, the opacity of a block is exact at the
+ * points of HartleyLattice, and interpolated between them.
  *
  * C. Yang: On-the-fly processing of compressed volume data, 2001, section 3.3, equations 6 to 10.
  *
@@ -78,7 +78,7 @@ public:
   };
 
   /** For studies: the image of each block of a chunk in the direction of a view, whose pixels are
-   * not used. Sums are those of the voxels minus the base value. */
+   * not used. The base value is subtracted from the voxels. */
   std::vector<BlockImage> DrawBlocks(const HartleyView& view, std::size_t chunk);
 
 private:

@@ -27,8 +27,8 @@ struct HartleySlab
   std::size_t Stride = 0;    ///< from one row of points to the next
   std::vector<float> Values; ///< plane by plane
 
-  /** Clears the lattice and sets its extent to the blocks [first, end), across and down. Only what
-   * has content is cleared and interpolated. */
+  /** Clears the lattice and sets its extent to the blocks [first, end), across and down. Only parts
+   * with content are cleared and interpolated. */
   void Start(const HartleyLattice& lattice, const std::array<std::uint32_t, 2>& first,
     const std::array<std::uint32_t, 2>& end, double middleAlong, std::size_t planes);
 
@@ -49,8 +49,8 @@ struct HartleySlab
   void Add(
     const HartleyLattice& lattice, const HartleyOpacity& opacities, std::span<const Part> parts);
 
-  /** Composites the slab behind the content of an image, whose planes are those of the opacity
-   * model. Returns whether a pixel is not opaque afterwards. */
+  /** Composites the slab behind the content of an image, with the planes of the opacity model.
+   * Returns whether a pixel is not opaque afterwards. */
   bool AddTo(const HartleyLattice& lattice, const HartleyView& view,
     const HartleyOpacity& opacities, std::vector<float>& pixels) const;
 

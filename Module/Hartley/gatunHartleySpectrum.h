@@ -75,8 +75,8 @@ public:
 
   std::shared_ptr<const HartleySpectrum> Get(std::size_t block, std::span<const HartleyTerm> terms);
 
-  /** Whether Get finds the spectrum of a block, and so does not use its terms. What is kept stays
-   * kept. */
+  /** Whether Get finds the spectrum of a block, and so does not use its terms. Kept spectra
+   * stay. */
   bool IsKept(std::size_t block) { return this->Kept.Find(block) != nullptr; }
 
   /** The spectrum of a block whose first voxels along each axis (filled) are 1. */

@@ -41,9 +41,9 @@ private:
 /**
  * Computes the images of blocks from their voxels. In sheared coordinates, the voxels of a plane of
  * a block have the same positions relative to the lattice. So the weights of the voxels next to a
- * lattice point, in the integral along its ray, are those of all lattice points of the same
- * parity: the image of a plane is a convolution with a few weights. The result is exact except for
- * rounding, and the time does not depend on the number of coefficients.
+ * lattice point, in the integral along its ray, depend on its parity only: the image of a plane is
+ * a convolution with a few weights. The result is exact except for rounding, and the time does not
+ * depend on the number of coefficients.
  */
 class HartleyStencil : public HartleyPainter
 {

@@ -39,8 +39,8 @@ struct VolumeSpectrumPlan
 /**
  * The Fourier spectrum of a volume about its middle, in half precision. Its points are at multiples
  * of 1 / Points cycles per voxel. The period is large enough along all axes for an image along each
- * of them. Between the points it is interpolated along one axis by a windowed sinc, which leaves
- * the points as they are. So one spectrum serves all directions.
+ * of them. Between the points it is interpolated along one axis by a windowed sinc, which does not
+ * change the points. So one spectrum serves all directions.
  *
  * Half of the spectrum is stored, as the voxels are real: that of positive frequencies along x.
  * Some points before and after those of the plan are stored for interpolation.

@@ -28,7 +28,7 @@ constexpr double SmallestVoxelRange = 1e-30;
  * larger than LargestVoxelInteger or the range is outside of single precision. */
 Range GetVoxelRange(const VolumeInput& input, const std::function<bool(double)>& progress = {});
 
-/** Loads the values of a block. Those outside of the volume are 0. */
+/** Loads the values of a block. Voxels outside of the volume are 0. */
 void LoadBlock(const VolumeInput& input, const HartleyLayout& layout,
   const HartleyLayout::Triple& place, double base, std::span<double> values);
 

@@ -15,13 +15,13 @@ namespace gatun
 {
 class HartleyFile;
 
-/** Volumes of up to so many voxels are surveyed as a whole. */
+/** Volumes of up to this number of voxels are surveyed as a whole. */
 constexpr std::uint64_t MostSurveyedVoxels = std::uint64_t{ 1 } << 23;
 
 /**
- * Finds how many voxels of a volume have which values. Of larger volumes than MostSurveyedVoxels,
- * cubes from all parts of the volume are taken, of a file whole chunks. Range: as for SurveyValues.
- * The box is that of the volume along its own axes. Voxels that are not finite are left out.
+ * Makes the histogram of the voxels of a volume. Of volumes above MostSurveyedVoxels, it takes
+ * cubes (of a file, whole chunks) from all parts of the volume. Range: as for SurveyValues. The box
+ * of the volume is along its own axes. Voxels that are not finite are left out.
  */
 GATUN_EXPORT ValueSurvey SurveyVolume(
   const VolumeInput& volume, const std::optional<Range>& range = {});

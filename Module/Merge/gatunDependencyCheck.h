@@ -8,9 +8,9 @@
 
 namespace gatun
 {
-/** Whether the same merges can be done by two sets of dependencies, which may name more or fewer of
- * those that follow from others. Tries 512 random choices of merges, from half of them to all but a
- * few; differences that matter to none of these are not found. */
+/** Whether two sets of dependencies allow the same merges. They may have more or fewer dependencies
+ * that follow from others. Tries 512 random choices of merges, from half of them to all but a few;
+ * differences that matter to none of these are not found. */
 bool AreEquivalent(const MergeDependencies& a, const MergeDependencies& b);
 }
 

@@ -14,9 +14,9 @@
 
 namespace gatun
 {
-/** Encodes the dependencies of the merges of a tree without most of those that follow from others.
- * Empty if there is no stream for them, as they and the merges between them are more than 64 a
- * merge on average. Progress: see MergeDependencies. */
+/** Encodes the dependencies of the merges of a tree, without most dependencies that follow from
+ * others. Empty if there is no stream for them, as they and the merges between them are more than
+ * 64 a merge on average. Progress: see MergeDependencies. */
 Bytes EncodeDependencies(const MergeTree& tree, const MergeDependencies& dependencies,
   const std::function<bool(double)>& progress = {});
 

@@ -16,7 +16,7 @@ namespace gatun
  * The error of linear interpolation around a point, estimated by how the fields bend along the
  * edges: by how much the slope along an edge changes from one end to the other, times its length,
  * which is the second derivative times the square of the length. Single precision is enough, as
- * places and gradients are relative to those of the point.
+ * places and gradients are relative to the point.
  */
 template <std::size_t NumberOfFields>
 class MergeBends
@@ -30,7 +30,7 @@ public:
   {
   }
 
-  /** Finds the error around the point of the star as it is. */
+  /** Finds the current error around the point of the star. */
   void Gather();
 
   /** Returns the error with a neighbor, which is the new point, and the new volumes, minus that

@@ -21,10 +21,10 @@ namespace gatun
  * The error of a merge covers all changes up to it: it is an estimate of the root mean square error
  * of the fields, relative to their ranges, and of the shape. Errors never decrease.
  *
- * Small changes around a point are evaluated when its turn comes, so that a merge that has become
- * cheaper may come late. Points of IsKept are never merged. All threads evaluate; the result does
- * not depend on their number. Points whose coordinates or values are not finite are kept, and so
- * are their neighbors.
+ * Small changes around a point are evaluated late, so that a merge that has become cheaper may come
+ * late. Points of IsKept are never merged. All threads evaluate; the result does not depend on
+ * their number. Points whose coordinates or values are not finite are kept, and so are their
+ * neighbors.
  *
  * Progress: called with the fraction done; returns false to stop, and Error(Aborted) is thrown.
  *

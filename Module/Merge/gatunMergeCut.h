@@ -28,15 +28,15 @@ public:
   MergeCut(const MergeTree& tree, std::size_t merges);
 
   /**
-   * The most of the wanted merges that can be done together: those that are wanted with all that
-   * they depend on. There is just one such set. It does not depend on earlier cuts.
+   * The largest set of wanted merges that can be done together: the merges whose dependencies are
+   * all wanted. There is just one such set. It does not depend on earlier cuts.
    *
    * wanted: for each merge. Throws InvalidInput if the sizes differ.
    */
   MergeCut(const MergeTree& tree, const MergeDependencies& dependencies, std::vector<bool> wanted);
 
-  /** Merges that can be done together, such as those of another cut that a base mesh has left.
-   * Throws InvalidInput if their number is not that of the tree. */
+  /** Merges that can be done together, such as the merges of another cut that remain for a base
+   * mesh. Throws InvalidInput if their number is not that of the tree. */
   MergeCut(const MergeTree& tree, std::vector<bool> done);
 
   /** The ancestor of each point. */
@@ -48,7 +48,7 @@ public:
   std::size_t GetNumberOfMerges() const { return this->Number; }
 
   /** The number of first merges of the tree that have all merges of the cut. Boxes and ranges up to
-   * so many merges enclose the cut. */
+   * this number of merges enclose the cut. */
   std::size_t GetLast() const { return this->Last; }
 
   bool IsUniform() const { return this->Number == this->Last; }

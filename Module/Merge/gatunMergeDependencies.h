@@ -17,15 +17,15 @@
 namespace gatun
 {
 /**
- * Which merges of a tree depend on which earlier ones, so that a part of them can be done where a
- * mesh may be coarse, and not where it must be fine.
+ * Dependencies between the merges of a tree, so that merges can be done where a mesh may be coarse,
+ * and not where it must be fine.
  *
- * A merge depends on those that last changed each of the tetrahedra around its point, as they are
- * when its turn comes. It also depends on a merge that took a tetrahedron away and so made a face
- * of one of these a part of the boundary. If a set of merges has all that its members depend on,
- * each tetrahedron that remains is one that the mesh has after some number of merges, and they
- * cover each place once. The rule is that of multi-tessellations (De Floriani, Magillo, Puppo:
- * "Efficient implementation of multi-triangulations", IEEE Visualization 1998).
+ * A merge depends on the merges that last changed each of the tetrahedra around its point before
+ * it. It also depends on a merge that took a tetrahedron away and so made a face of one of these a
+ * part of the boundary. If a set contains the dependencies of all its merges, each remaining
+ * tetrahedron is one that the mesh has after some number of merges, and they cover each place once.
+ * The rule is that of multi-tessellations (De Floriani, Magillo, Puppo: "Efficient implementation
+ * of multi-triangulations", IEEE Visualization 1998).
  *
  * Merges that belong together (MergeTree::GetBonds) depend on the same ones. If all of them are
  * wanted, they are done together or not at all.
@@ -41,10 +41,10 @@ public:
 
   /**
    * Finds the dependencies by doing all merges one after the other: 0.5 us a tetrahedron. Cells:
-   * all tetrahedra of the mesh; those with a corner twice do not count.
+   * all tetrahedra of the mesh; degenerate ones do not count.
    *
-   * progress: called with the part that is done, from 0 to 1. Error(Aborted) is thrown if it
-   * returns false. Throws InvalidInput if a corner is not a point of the tree.
+   * progress: called with the fraction done, from 0 to 1. Error(Aborted) is thrown if it returns
+   * false. Throws InvalidInput if a corner is not a point of the tree.
    */
   MergeDependencies(const MergeTree& tree, std::span<const std::array<std::uint32_t, 4>> cells,
     const std::function<bool(double)>& progress = {});

@@ -22,7 +22,7 @@ public:
   using Vec = glm::dvec3;
 
   /** A field at a point: the value, divided by the range and times the square root of the weight,
-   * and the gradient, which is the mean of those in the tetrahedra around. */
+   * and the gradient, which is the mean of the gradients of the tetrahedra around. */
   struct Sample
   {
     double Value = 0;
@@ -41,7 +41,7 @@ public:
   /** Returns one sample for each field. */
   const Sample* GetSamples(std::uint32_t point) const { return &this->At(point) + 1; }
 
-  /** Loads what is known of a point into the cache of the processor. */
+  /** Loads the data of a point into the cache of the processor. */
   void Prefetch(std::uint32_t point) const { __builtin_prefetch(&this->At(point)); }
 
   /** Returns 1 / volume of the mesh, or 0. */

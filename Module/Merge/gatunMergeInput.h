@@ -27,8 +27,8 @@ struct MergeSettings
   double BoundaryWeight = 0.5;
 
   /**
-   * The part of the possible merges, from the cheapest on, that are made before the points around
-   * them may be merged, 0 to 1. With 0, each of these may be the next. With a larger part, merges
+   * Fraction of the cheapest possible merges that are made before the points around them may be
+   * merged, 0 to 1. With 0, any of these points may be the next. With a larger fraction, merges
    * depend on fewer others, so that a mesh with fine and coarse places (MergeCut) has fewer
    * tetrahedra; but their order is less exact, and errors are larger.
    */
@@ -41,8 +41,8 @@ struct SurfaceMergeSettings
    * rest. */
   double ShapeWeight = 0.5;
 
-  /** Edges between triangles whose normals differ by more degrees, 0 to 180, stay where they are as
-   * far as possible, as the border does. */
+  /** Angle between the normals of two triangles, in degrees, 0 to 180. Edges with a larger angle
+   * are kept like the border. */
   double FeatureAngle = 30;
 
   /** Whether points of the border are never merged. */
@@ -64,7 +64,7 @@ struct BasicMergeInput
   std::span<const std::array<std::uint32_t, Corners>> Cells;
   std::vector<Field> Fields; ///< empty: only the shape counts
 
-  /** For each point, whether it is kept, such as one that another mesh has, too. Others may be
+  /** For each point, whether it is kept, such as a point shared with another mesh. Others may be
    * merged into it. Empty: none. */
   std::span<const std::uint8_t> IsKept = {};
 };

@@ -12,8 +12,8 @@
 namespace gatun
 {
 /**
- * Whether merges preserve the topology. Links are those of the mesh with one more point outside,
- * which forms a tetrahedron with each boundary face.
+ * Whether merges preserve the topology. Links include one more point outside, which forms a
+ * tetrahedron with each boundary face.
  */
 class MergeLinks
 {

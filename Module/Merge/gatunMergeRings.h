@@ -59,8 +59,8 @@ public:
     return at;
   }
 
-  /** Loads the ring of a point into the cache of the processor, and then its cells. Mostly they are
-   * somewhere else in memory than those of the point before. */
+  /** Loads the ring of a point into the cache of the processor, and then its cells. They are rarely
+   * near the data of the previous point in memory. */
   void PrefetchRing(std::uint32_t point) const
   {
     constexpr std::size_t perLine = 64 / sizeof(std::uint32_t);
@@ -76,7 +76,7 @@ public:
     }
   }
 
-  /** Loads what there is of the corners of these cells. Here, nothing. */
+  /** Loads the data of the corners of these cells. Here, nothing. */
   void PrefetchCorners(std::uint32_t) const {}
 
   /** Merges a point into a neighbor. */

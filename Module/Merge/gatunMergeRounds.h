@@ -41,10 +41,10 @@ std::vector<std::unique_ptr<CostsType>> MakeMergeWorkers(const Arguments&... arg
  * does not depend on their number.
  *
  * The mesh has the rings and the functions of MergeRings. Costs has Choose and MayMerge, as
- * MergeCosts does, and MostChanges: after so many changes around it, the cost of a point is found
- * anew. Later is faster, but merges that have become cheaper wait. Rounds may form batches of a
- * part of the merges (MergeSettings::PartAtOnce). The errors of merges are the roots of the sums of
- * the changes, divided by ChangePerError.
+ * MergeCosts does, and MostChanges: the number of changes around a point after which its cost is
+ * found anew. Later is faster, but merges that have become cheaper wait. Rounds may form batches of
+ * a part of the merges (MergeSettings::PartAtOnce). The errors of merges are the roots of the sums
+ * of the changes, divided by ChangePerError.
  */
 template <typename MeshType, typename CostsType>
 class MergeRounds
@@ -83,7 +83,7 @@ public:
       {
         this->RunRound(key);
       }
-      // Others may have become possible, by what happened behind their neighbors.
+      // Others may have become possible by changes behind their neighbors.
       any = this->Merges.size() > before;
     }
     this->Report(1);
@@ -205,7 +205,7 @@ private:
     }
   }
 
-  /** Whether what is known of a point may still be that of a key. */
+  /** Whether the state of a point may still be that of a key. */
   bool IsOf(std::uint32_t point, MergeQueue::Key key) const
   {
     const Candidate& candidate = this->Candidates[point];

@@ -17,8 +17,8 @@ namespace gatun
  * Selects merges whose weighted error, error times the weight of the point, is at most the
  * tolerance. Zero weight always selects. Merges that belong together are selected together.
  *
- * weights: for each point, 0 or more. tolerance: a negative one or one that is not a number counts
- * as 0. Throws InvalidInput if there is not a weight for each point.
+ * weights: for each point, 0 or more. tolerance: negative values and NaN count as 0. Throws
+ * InvalidInput if there is not a weight for each point.
  */
 GATUN_EXPORT std::vector<bool> SelectMerges(
   const MergeTree& tree, std::span<const float> weights, double tolerance);

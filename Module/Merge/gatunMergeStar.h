@@ -73,8 +73,8 @@ struct MergeQuadric
 };
 
 /** Four tetrahedra of the current point, as functions of the position of that point: six times the
- * volume is dot(Normal, offset) + Volume, and positive at offset 0. What is after the last one is a
- * copy of it that has no weight. */
+ * volume is dot(Normal, offset) + Volume, and positive at offset 0. The rest is filled with copies
+ * of the last one without weight. */
 struct MergeTets
 {
   std::array<Triple<Double2>, 2> Normal;
@@ -87,7 +87,7 @@ struct MergeTets
 /** The gradients of a field in four tetrahedra, relative to that at the point. */
 using MergeSlopes = std::array<Triple<Double2>, 2>;
 
-/** What is around a point. NumberOfFields is that of the input, or 0 for any. */
+/** The surroundings of a point. NumberOfFields is that of the input, or 0 for any. */
 template <std::size_t NumberOfFields>
 class MergeStar
 {

@@ -42,7 +42,7 @@ public:
    * eight significant bits, the precision of files.
    *
    * isBound: for each merge, whether the next one belongs to it, such as that of the other point of
-   * a seam. Empty: none. Its size must be that of merges, and nothing follows the last one. */
+   * a seam. Empty: none. Its size must be that of merges, and the last element must be false. */
   MergeTree(std::uint32_t points, std::vector<Merge> merges, std::vector<bool> isBound = {});
 
   std::uint32_t GetNumberOfPoints() const { return this->Points; }
@@ -52,7 +52,7 @@ public:
   const std::vector<bool>& GetBonds() const { return this->IsBound; }
 
   /** Returns the largest number of merges, not above a given one, that separates no merges that
-   * belong together: with others, seams of a surface open. */
+   * belong together. Otherwise seams of a surface would open. */
   std::size_t CountWholeMerges(std::size_t merges) const;
 
   /** Returns the number of merges that leave a given number of points, or all merges. */
@@ -87,7 +87,7 @@ inline bool Simplify(MergeTree::Tet& tet, std::span<const std::uint32_t> ancesto
     tet[1] != tet[3] && tet[2] != tet[3];
 }
 
-/** The same for a triangle. Corners that were one point before do not make it vanish. */
+/** The same for a triangle. It does not vanish by corners that were one point before. */
 inline bool Simplify(MergeTree::Triangle& triangle, std::span<const std::uint32_t> ancestors)
 {
   const MergeTree::Triangle before = triangle;

@@ -32,9 +32,8 @@ struct MergePlaces
  * The connectivity of a triangle mesh while its points are merged.
  *
  * Points with the same coordinates, such as the two sides of a seam of texture coordinates, form a
- * *place*. The rings and the cells of the base class are those of places: a seam is no border, and
- * its points are merged together, so that it stays closed. An edge with only one triangle is a
- * border.
+ * *place*. The base class has the rings and cells of places: a seam is no border, and its points
+ * are merged together, so that it stays closed. An edge with only one triangle is a border.
  */
 class MergeTriangles : public MergeRings<3>
 {

@@ -31,7 +31,7 @@ public:
     return this->Quadrics.GetPosition(this->GetFirstPoint(place));
   }
 
-  /** Loads what Choose reads first into the cache of the processor. */
+  /** Loads the first data that Choose reads into the cache of the processor. */
   void PrefetchRing(std::uint32_t place) const
   {
     this->MergeTriangles::PrefetchRing(place);
@@ -77,8 +77,8 @@ public:
   /**
    * Whether merging a place into a neighbor preserves the topology: the intersection of their links
    * must be the link of their edge (Dey, Edelsbrunner, Guha, Nekhayev: Topology preserving edge
-   * contraction, 1999). Links are those of the surface with one more point, which forms a triangle
-   * with each edge of the border.
+   * contraction, 1999). Links include one more point, which forms a triangle with each edge of the
+   * border.
    */
   bool MayMerge(std::uint32_t place, std::uint32_t into);
 

@@ -17,13 +17,13 @@ namespace gatun
  * fields. No triangle turns over or becomes flat, the topology does not change, and the border
  * stays where it is as far as possible, and so do edges between triangles with different normals.
  *
- * Points with the same coordinates, such as those of a seam, are merged one after the other, or
- * not at all. The tree tells which merges belong together: see MergeTree::CountWholeMerges.
+ * Points with the same coordinates, such as those of a seam, are merged one after the other, or not
+ * at all. The tree marks merges that belong together; see MergeTree::CountWholeMerges.
  *
  * Kept are: points of IsKept; points where the triangles around are not one fan, as at an edge of
  * three triangles; points of triangles with a point or a place twice; points without triangles;
- * points whose coordinates or values are not finite. Others may be merged into them if that leaves
- * what they are.
+ * points whose coordinates or values are not finite. Others may be merged into them if they stay
+ * such points.
  *
  * The error of a merge is the root of the mean square error of the shape, relative to the diagonal
  * of the mesh, and of the fields, relative to their ranges, by the quadrics of all merges up to it.

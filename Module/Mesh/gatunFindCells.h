@@ -13,7 +13,7 @@
 
 namespace gatun
 {
-/** Where the cells and points of a mesh are in another one. */
+/** The places of the cells and points of a mesh in another one. */
 struct FoundCells
 {
   std::vector<std::uint64_t> Cells;
@@ -26,11 +26,11 @@ struct FoundCells
 
 /**
  * Finds a mesh in another one that has more cells. Its cells must be some of the cells of the other
- * one, in the same order and with the same order of corners. It has the same points, which may be
- * elsewhere, or those that its cells use, in the same order and at the same places.
+ * one, in the same order and with the same order of corners. It has the same points, which may have
+ * moved, or only the points that its cells use, in the same order and at the same places.
  *
- * Nothing if that is not so, if there are polyhedra, or if fewer than half of the cells are left,
- * because a file with the values of the dead cells would be larger. Linear time.
+ * Otherwise, and if there are polyhedra or fewer than half of the cells remain, returns nothing: a
+ * file with the values of the deleted cells would be larger. Linear time.
  */
 GATUN_EXPORT std::optional<FoundCells> FindCells(const MeshInput& mesh, const MeshInput& part);
 }

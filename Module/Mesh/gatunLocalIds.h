@@ -18,7 +18,7 @@ namespace gatun
 class LocalIds
 {
 public:
-  /** expected: about how many points there will be. */
+  /** expected: approximate number of points. */
   explicit LocalIds(std::size_t expected)
     : Slots(std::bit_ceil(std::max<std::size_t>(64, 2 * expected)))
   {

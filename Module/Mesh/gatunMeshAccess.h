@@ -105,7 +105,7 @@ public:
     }
   }
 
-  /** About how many tetrahedra the cells consist of, from their numbers of points. */
+  /** Approximate number of tetrahedra of the cells, from their numbers of points. */
   std::uint64_t EstimateTets() const
   {
     const std::uint64_t cells = this->Mesh.Cells;

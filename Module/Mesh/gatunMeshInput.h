@@ -12,8 +12,8 @@
 namespace gatun
 {
 /**
- * A mesh in the caller's memory, with cells as vtkUnstructuredGrid has them. It must exist until
- * FileWriter::Finish has returned.
+ * A mesh in the caller's memory, with the cells in the layout of vtkUnstructuredGrid. It must exist
+ * until FileWriter::Finish has returned.
  */
 struct MeshInput
 {
@@ -24,11 +24,12 @@ struct MeshInput
   const void* Connectivity = nullptr; ///< the point ids of each cell: four if Types is null
   bool WideIds = true; ///< whether ids are std::int64_t or std::int32_t; recorded in the file
 
-  /** The VTK type of each cell. Null if all cells are tetrahedra; then the rest is null, too. */
+  /** The VTK type of each cell. If all cells are tetrahedra, this and all following pointers are
+   * null. */
   const std::uint8_t* Types = nullptr;
 
-  /** The position of each cell's first point id in Connectivity, and the number of all ids: one
-   * value more than there are cells, of the type of ids. */
+  /** The position of each cell's first point id in Connectivity, and the number of all ids at the
+   * end. Cells + 1 values of the type of ids. */
   const void* Offsets = nullptr;
 
   /** For each cell the position of its faces in Faces, or -1 unless it is a polyhedron. Null if
@@ -41,8 +42,8 @@ struct MeshInput
   std::uint64_t FacesSize = 0; ///< the number of values in Faces
 };
 
-/** The cells of a MeshInput that a time step has, if some have died since the first step with the
- * mesh. Dead cells may come back. */
+/** The cells of a MeshInput that remain at a time step, if some have been deleted since the first
+ * step with the mesh. Deleted cells may come back. */
 struct RemainingCells
 {
   std::span<const std::uint64_t> Cells; ///< the numbers of the remaining cells, ascending

@@ -41,7 +41,7 @@ Bounds FindBox(const MeshAccess& mesh);
 /** The Morton code of a point within such bounds. */
 std::uint64_t FindMortonCode(const MeshAccess& mesh, const Bounds& box, std::uint64_t point);
 
-/** The default limit of tetrahedra per chunk, for a mesh of so many tetrahedra. */
+/** The default limit of tetrahedra per chunk, for a number of tetrahedra. */
 std::uint32_t GetDefaultChunkTets(std::uint64_t tets, bool hasLayers);
 
 /**

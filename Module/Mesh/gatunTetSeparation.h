@@ -11,9 +11,9 @@ namespace gatun
 {
 /**
  * Divides buckets of cells into tetrahedra and other cells where that makes the file smaller.
- * Chunks of tetrahedra alone take fewer bits a cell and less time than those of several types, but
- * the points between the tetrahedra and the other cells become shared points of chunks, which are
- * expensive. The tetrahedra of a bucket come first. The point ids of the mesh must be right.
+ * Chunks of tetrahedra alone take fewer bits a cell and less time than mixed chunks, but the points
+ * between the tetrahedra and the other cells become shared points of chunks, which are expensive.
+ * The tetrahedra of a bucket come first. The point ids of the mesh must be right.
  */
 void SeparateTets(const MeshAccess& mesh, LayerBuckets& buckets);
 }

@@ -25,7 +25,7 @@ public:
   virtual void GetTets(
     std::size_t block, std::vector<RayBlock::Tet>& tets, std::vector<double>& values) const = 0;
 
-  /** Writes points with their values; values are 0 if those of tetrahedra are drawn. */
+  /** Writes points with their values, or with 0 if values of tetrahedra are drawn. */
   virtual void GetPoints(std::span<const std::uint32_t> points, RayPoint* result) const = 0;
 };
 }

@@ -25,7 +25,7 @@ public:
   FileRaySource(
     std::shared_ptr<const FileReader> file, const RayValues& values, std::uint64_t budget);
 
-  /** Uses a cache that others use, too, and keeps blocks within the same budget. */
+  /** Uses a shared cache, and keeps blocks within the same budget. */
   FileRaySource(std::shared_ptr<ChunkCache> parts, const RayValues& values);
 
   ~FileRaySource() override;

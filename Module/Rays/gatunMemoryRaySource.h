@@ -18,8 +18,8 @@ namespace gatun
 class BlockMesh;
 
 /**
- * A mesh in the caller's memory, in blocks of tetrahedra that are near each other. The mesh must
- * not change or move. Blocks are kept within a budget.
+ * A mesh in the caller's memory, in compact blocks of tetrahedra. The mesh must not change or move.
+ * Blocks are kept within a budget.
  */
 class GATUN_EXPORT MemoryRaySource final : public RaySource
 {

@@ -13,8 +13,7 @@
 
 namespace gatun
 {
-/** Keeps blocks within a budget. Blocks that have not been used for the longest time are removed
- * first. Thread safe. */
+/** Keeps blocks within a budget. The least recently used blocks are removed first. Thread safe. */
 class GATUN_EXPORT RayBlockCache
 {
 public:

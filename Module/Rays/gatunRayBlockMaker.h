@@ -3,7 +3,7 @@
 #ifndef gatunRayBlockMaker_h
 #define gatunRayBlockMaker_h
 
-// Blocks from a cache; those that are missing are made.
+// Blocks from a cache; missing ones are made.
 
 #include "gatunParallel.h"
 #include "gatunRayBlockCache.h"

@@ -38,8 +38,8 @@ struct RaySettings
   /** The instruction set, or the next simpler one that this processor has. */
   RayInstructions Instructions = RayInstructions::Best;
 
-  /** Whether a tile of the image is the same to the last bit no matter what other tiles show and
-   * which of them are drawn. May leave threads idle. */
+  /** Whether a tile of the image is the same to the last bit whatever other tiles show, and whether
+   * they are drawn or not. May leave threads idle. */
   bool Repeatable = false;
 
   bool operator==(const RaySettings&) const = default;

@@ -256,8 +256,8 @@ private:
     }
   }
 
-  /** Adds what a tetrahedron shows to some fragments of a slot. Notes where they begin to be
-   * visible, and skips everything behind those that are opaque now. */
+  /** Adds the segments in a tetrahedron to some fragments of a slot. Notes where they begin to be
+   * visible, and skips everything behind opaque ones. */
   template <typename L>
   GATUN_INLINE void Grow(const TetItem& item, const RayLine<L>& line, typename L::Float begin,
     typename L::Float end, typename L::Mask some, RayPixels& block, RayPixels::Slot& slot,

@@ -3,7 +3,7 @@
 #ifndef gatunRayFragments_h
 #define gatunRayFragments_h
 
-// Fragments as bytes, on their way from a RayCaster to a RayMerger. For each tile:
+// Fragments as bytes, sent from a RayCaster to a RayMerger. For each tile:
 //
 //   uint32    number of the tile, times 2, plus 1 if there are depths
 //   uint32    number of bytes that follow
@@ -20,8 +20,8 @@
 //   with depths:
 //     float32   for each cell with a fragment: where its first visible part begins
 //
-// Where a fragment ends need not be known: fragments are in order by their beginnings. Those that
-// touch are merged before.
+// Where a fragment ends need not be known: fragments are in order by their beginnings. Fragments
+// that touch are merged before.
 
 #include "gatunBytes.h"
 #include "gatunRayTable.h"

@@ -30,7 +30,7 @@ public:
 
   std::size_t GetNumberOfTiles() const { return this->Parts.size(); }
 
-  /** Takes what RayCaster::TakeFragments returned. Throws Corrupt for anything else. */
+  /** Takes a result of RayCaster::TakeFragments. Throws Corrupt for anything else. */
   void Add(std::vector<std::uint8_t> message);
 
   /** Writes some tiles of the image; see RayCaster::Finish. With depths, these must have been

@@ -12,10 +12,9 @@
 namespace gatun
 {
 /**
- * The share of one of several processes in the blocks of a source that all of them have: every
- * n-th block. Neighboring blocks have neighboring numbers, so that each process has about as many
- * of the blocks that are visible as the others, whatever the view; and it has the same ones in all
- * views, so that they are found in its cache.
+ * The share of one of several processes in the blocks of a common source: every n-th block.
+ * Neighboring blocks have neighboring numbers, so that visible blocks are divided evenly, whatever
+ * the view. A process has the same blocks in all views, and finds them in its cache.
  */
 class GATUN_EXPORT RayShare final : public RaySource
 {

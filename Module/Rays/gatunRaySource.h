@@ -32,8 +32,8 @@ public:
   /** Returns blocks that are ready for drawing, in the order of the request. */
   virtual Blocks GetBlocks(std::span<const std::size_t> blocks, const Progress& progress) = 0;
 
-  /** Seconds that merging points has taken since the source was made, if the mesh is simplified;
-   * those of threads that work at the same time count once. */
+  /** Seconds of merging points since the source was made, if the mesh is simplified. Concurrent
+   * threads count once. */
   virtual double GetSimplifyTime() const { return 0; }
 };
 }

@@ -31,7 +31,7 @@ public:
   void SetTileLimit(std::size_t tile, float limit) { this->TileLimits[tile] = limit; }
   const float* GetTileLimits() const { return this->TileLimits.data(); }
 
-  /** Whether what is drawn so far hides a box, all of which would be visible otherwise. */
+  /** Whether the image so far hides a box, all of which would be visible otherwise. */
   bool IsCovered(const Bounds& box) const;
 
   /** Returns the blocks of a source that may be visible, the nearest first, regardless of tile

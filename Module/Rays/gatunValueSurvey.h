@@ -13,18 +13,18 @@
 
 namespace gatun
 {
-/** Meshes of up to so many tetrahedra are surveyed as a whole. */
+/** Meshes of up to this number of tetrahedra are surveyed as a whole. */
 constexpr std::uint64_t MostSurveyedTets = std::uint64_t{ 1 } << 21;
 
 /**
- * Finds how much of the volume of a mesh has which values. Of larger meshes than MostSurveyedTets,
- * blocks from all parts of the mesh are taken, at least 16. The result does not depend on the
- * number of threads and, if all of the mesh is surveyed, neither on the blocks nor on the order of
+ * Makes the histogram of the values of a mesh, by volume. Of meshes above MostSurveyedTets, it
+ * takes blocks from all parts of the mesh, at least 16. The result does not depend on the number of
+ * threads and, if all of the mesh is surveyed, neither on the blocks nor on the order of
  * tetrahedra.
  *
- * Range: of the values, or the part of them that counts. If it is given, it is kept; otherwise it
- * is narrowed as by MakeValueHistogram. Tetrahedra with a value or coordinate that is not finite
- * are left out. Throws what the source throws.
+ * Range: of the values that count. A given range is kept; otherwise it is narrowed as by
+ * MakeValueHistogram. Tetrahedra with a value or coordinate that is not finite are left out. Throws
+ * the exceptions of the source.
  */
 GATUN_EXPORT ValueSurvey SurveyValues(RaySource& source, const std::optional<Range>& range = {},
   const RaySource::Progress& progress = {}, std::uint64_t mostTets = MostSurveyedTets);

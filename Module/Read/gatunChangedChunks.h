@@ -13,7 +13,7 @@
 
 namespace gatun
 {
-/** The chunks of a file that differ between two numbers of merges, ascending: those with a point
+/** The chunks of a file that differ between two numbers of merges, ascending: chunks with a point
  * whose ancestor changes. Changes: of the tree of the file. Takes time in proportion to the points
  * that change. */
 GATUN_EXPORT std::vector<std::uint32_t> FindChangedChunks(

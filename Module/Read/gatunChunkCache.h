@@ -28,14 +28,14 @@ struct ChunkCacheStatistics
 
 /**
  * Decoded parts of one file: meshes and arrays of chunks and of shared points. When the parts
- * exceed the budget, those that have not been used for the longest time are removed.
+ * exceed the budget, the least recently used ones are removed.
  *
  * PieceDecoders of a file that use the same cache share their work. They may run in any thread: the
  * cache is thread safe, and parts never change. Two threads that need the same part at the same
  * time may both decode it.
  *
- * Memory: the cache counts every byte of its parts and never holds more than the budget. The parts
- * that decoders are using come on top, even those that do not fit into the cache.
+ * Memory: the cache counts every byte of its parts and never holds more than the budget. Parts in
+ * use by decoders come in addition, even if they do not fit into the cache.
  */
 class GATUN_EXPORT ChunkCache
 {
@@ -49,13 +49,11 @@ public:
   /** A cache that shares a budget with others. */
   ChunkCache(std::shared_ptr<const FileReader> file, std::shared_ptr<CacheBudget> budget);
 
-  /** A view of the parts of another cache, with statistics of its own: parts that are found or kept
-   * through it are those of the other cache, which counts them, too. A view that does not keep
-   * chunks finds those that others keep. */
+  /** A view of another cache, with statistics of its own: the other cache holds the parts, and
+   * counts them, too. A view that does not keep chunks finds the chunks of others. */
   ChunkCache(const std::shared_ptr<ChunkCache>& other, bool keepsChunks);
 
-  /** The parts of another cache, for a mesh with some of the cells of its file
-   * (FileReader::GetParentMesh). */
+  /** A view for a mesh with some of the cells of the file (FileReader::GetParentMesh). */
   ChunkCache(const ChunkCache& other, std::shared_ptr<const FileReader> file);
   ~ChunkCache();
   ChunkCache(const ChunkCache&) = delete;

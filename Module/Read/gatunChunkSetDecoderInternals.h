@@ -110,7 +110,7 @@ struct ChunkSetDecoder::Job
   /** The most steps to decode. */
   std::size_t CountSteps() const;
 
-  /** Sets the next steps to decode, at most so many, with their domains. */
+  /** Sets the next steps to decode, up to a number, with their domains. */
   void BeginRound(const PartDecoder& parts, std::size_t most);
 
   // The positions filled so far if an order is restored. A damaged file could contain one twice and

@@ -35,8 +35,8 @@ CoarseChunk DecodeCoarse(const std::shared_ptr<ChunkCache>& cache, const CoarseL
  * that cells take from other chunks. Decodes chunk by chunk and keeps only the remaining parts.
  * Surfaces have their cells if the request asks for original ones; other files have tetrahedra.
  *
- * Cells are sorted chunk by chunk with ghosts last, points by their numbers in the file with those
- * of ghosts last. If the request asks for the original order and the file has it, both follow it.
+ * Cells are sorted chunk by chunk, points by their numbers in the file, and both with ghosts last.
+ * If the request asks for the original order and the file has it, both follow it.
  */
 class CoarsePiece
 {

@@ -25,7 +25,7 @@ class MergeDependencies;
 
 /**
  * An open .gtn file. Provides the content of its directory without decoding chunks. Details of
- * chunks are read when they are asked for.
+ * chunks are read on request.
  *
  * Safe on hostile input: for any bytes, every method returns or throws Error with file and
  * position. Immutable and thread safe.
@@ -62,8 +62,8 @@ public:
   /** Whether time steps have coordinates of their own (WriterOptions::PointsMove). */
   bool HasMovingPoints() const;
 
-  /** The step that has the coordinates of a step: an earlier one if its points do not move, and 0
-   * if they are those of the mesh. */
+  /** The step with the coordinates of a step: an earlier one if its points do not move, and 0 for
+   * the coordinates of the mesh. */
   std::size_t GetPointStep(std::size_t step) const;
 
   /** The bounds at a step. */
@@ -80,8 +80,8 @@ public:
   bool HasTime() const;
   const std::vector<double>& GetTimes() const; ///< one for each step, strictly ascending
 
-  /** The number of meshes: more than 1 if some time steps have another mesh than this, the first
-   * one. A mesh with only some of the cells of another one counts, too. */
+  /** The number of meshes: more than 1 if the mesh changes. This is the first one. A mesh with only
+   * some of the cells of another one counts, too. */
   std::size_t GetNumberOfMeshes() const;
 
   /** The mesh with all cells, for one that has some of them; otherwise the same mesh. */

@@ -41,7 +41,7 @@ public:
    * those of its source. */
   std::vector<Domain> MakeDomains(std::size_t array, std::size_t step) const;
 
-  /** The array that has the keys of an array at a step, and which of its components they are. */
+  /** The array with the keys of an array at a step, and their components there. */
   struct ArraySource
   {
     std::uint32_t Array;
@@ -104,7 +104,7 @@ public:
   /** Throws unless the values of the chunks at the first step are within their layers. */
   void CheckLayers() const;
 
-  /** A mask of the cells, from 1. Those that were used last are kept. */
+  /** A mask of the cells, from 1. The last ones used are kept. */
   std::shared_ptr<const CellMask> GetMask(std::size_t mask) const;
 
   /** The name of a base mesh in messages. */

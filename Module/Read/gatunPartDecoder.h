@@ -92,9 +92,9 @@ public:
     std::uint32_t chunk, std::uint32_t array, std::size_t first, std::size_t step) const;
 
   /** Decodes an array at a step. before: the array at the previous step, may be null at key steps
-   * (FileReader::Internals::FindKeyStep). Coordinates that stand still are those before.
-   * Without keys if the array is copied from another one. fits: those of the chunk or block so far,
-   * so that several arrays share them. */
+   * (FileReader::Internals::FindKeyStep). Coordinates that do not change are those of the previous
+   * step. Without keys if the array is copied from another one. fits: those of the chunk or block
+   * so far, so that several arrays share them. */
   std::shared_ptr<const ArrayPart> DecodeBlockArray(std::uint32_t block, std::uint32_t array,
     std::size_t step, const DomainsPart& domains, const std::shared_ptr<const ArrayPart>& before,
     PartFits& fits) const;
@@ -112,7 +112,7 @@ private:
 
   void CheckPolyhedra(std::uint32_t chunk, const ChunkMesh& mesh) const;
 
-  /** Sets the weights of a chunk or block to those that are kept, or that make() makes. */
+  /** Sets the weights of a chunk or block to the kept ones, or else to the result of make(). */
   template <typename AnyFit, typename Make>
   void FindFit(
     std::shared_ptr<const AnyFit>& fit, PartKind kind, std::uint32_t number, Make&& make) const;

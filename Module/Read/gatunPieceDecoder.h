@@ -40,8 +40,8 @@ public:
   /** Prepares a request and determines its sizes. With ghosts, this decodes the mesh. */
   void SetRequest(const PieceRequest& request, const Progress& progress = {});
 
-  /** Frees what was prepared and decoded for the request, which must be set again. What the next
-   * request after the same merges needs is kept. */
+  /** Frees the data of the request, which must be set again. Data for the next request after the
+   * same merges are kept. */
   void Forget();
 
   std::uint64_t GetNumberOfPoints() const;

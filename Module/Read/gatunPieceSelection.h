@@ -16,15 +16,15 @@ namespace gatun
 /** How a piece is cut out of a larger set of chunks. */
 struct PieceCut
 {
-  const CellMask* Mask = nullptr; // of the cells of the file that are alive; null: all
+  const CellMask* Mask = nullptr; // of the remaining cells of the file; null: all
   unsigned GhostLevels = 0;
   bool IsRestored = false; // whether the larger set is the piece, in its original order
 };
 
 /**
  * The points and cells of a piece that is cut out of a larger set of chunks: a piece with ghosts,
- * or one without the cells that are not alive. The set is decoded as a whole, and what belongs to
- * the piece is copied.
+ * or one without deleted cells. The set is decoded as a whole, and the points and cells of the
+ * piece are copied.
  */
 class PieceSelection
 {

@@ -25,8 +25,8 @@ namespace gatun
 class GATUN_EXPORT SharedFile
 {
 public:
-  /** Opens the file. Budget: memory for decoded parts and for what consumers derive from them, in
-   * bytes. Throws Error as FileReader does. */
+  /** Opens the file. Budget: memory for decoded parts and the data that consumers derive from them,
+   * in bytes. Throws Error as FileReader does. */
   SharedFile(const std::string& path, std::uint64_t budget);
 
   const std::shared_ptr<const FileReader>& GetFile() const { return this->File; }
@@ -50,7 +50,7 @@ public:
 
   /** The decoded parts of the file, of its boundary, or of one of its base meshes, for one
    * consumer: every call returns another view of the same cache, with statistics of its own. A view
-   * that does not keep chunks finds those of the others. */
+   * that does not keep chunks finds the chunks of the others. */
   std::shared_ptr<ChunkCache> MakeView(
     const std::shared_ptr<const FileReader>& mesh, bool keepsChunks);
 

@@ -32,13 +32,13 @@ public:
    * null if all cells are tetrahedra. */
   TablePages(const InputFile& file, const MetaTable& meta, const CellTable* cells);
 
-  /** The step that has the coordinates of a step, 0 for those of the mesh. */
+  /** The step with the coordinates of a step, 0 for the coordinates of the mesh. */
   std::size_t GetPointStep(std::size_t step) const
   {
     return this->Meta.PointsMove && !this->PointSteps.empty() ? this->PointSteps.at(step).Step : 0;
   }
 
-  /** The step from whose coordinates those of a step with coordinates may be predicted. */
+  /** The step from which the coordinates of a step may be predicted. */
   std::size_t GetPointReference(std::size_t step) const
   {
     return this->PointSteps.at(step).Reference;

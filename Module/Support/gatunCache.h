@@ -20,8 +20,8 @@ namespace gatun
 /** Which entries a new one may remove. */
 enum class CachePolicy
 {
-  LeastRecentlyUsed, ///< those that have not been used for the longest time
-  KeepFirst          ///< none; serves those who go through all keys in a cycle
+  LeastRecentlyUsed, ///< the least recently used ones
+  KeepFirst          ///< none; for users that go through all keys in a cycle
 };
 
 /**

@@ -47,7 +47,7 @@ GATUN_EXPORT std::span<const OpacityNode> GetDefaultRamp();
 /** A default transfer function. */
 struct DefaultTransfer
 {
-  /** The values that the default colors span, Min < Max. */
+  /** The range of the default colors, Min < Max. */
   Range Colors;
 
   /** By strictly ascending value, from Colors.Min to Colors.Max; linear in between, constant
@@ -56,17 +56,17 @@ struct DefaultTransfer
 };
 
 /**
- * Makes a transfer function that shows structure: what fills most of the object is nearly
+ * Makes a transfer function that shows structure: values that fill most of the object are nearly
  * transparent, and values that are rare or far from the median are opaque.
  *
- * Extinction is w(v) / (h(v) + e), where h is the density of the object's values. So all values
- * would contribute the same to an image if the weight w was constant, as in histogram equalization.
- * It grows with the distance from the median. The opacity of the whole is scaled to that of an
+ * Extinction is w(v) / (h(v) + e), where h is the density of the object's values. With a constant
+ * weight w, all values would contribute the same to an image, as in histogram equalization. The
+ * weight grows with the distance from the median. The opacity of the whole is scaled to that of an
  * object of its size which is neither empty nor solid, and is lower if little of the object
- * contributes, as that is in one place and hides itself.
+ * contributes.
  *
  * Colors span the given range, or else all values; without 0.05 % of the object at each end, if
- * that makes the range a twentieth narrower or more. UnitDistance: length that opacities are for,
+ * that makes the range a twentieth narrower or more. UnitDistance: length to which opacities refer,
  * above 0.
  *
  * Background: C. Correa, K.-L. Ma:

@@ -3,7 +3,7 @@
 
 /**
  * @file
- * @brief GATUN_EXPORT marks what the library of the core shows to others. All else is hidden.
+ * @brief GATUN_EXPORT marks the exported symbols of the core. All else is hidden.
  *
  * Headers of the core name nothing of VTK, so that its code is the same for every VTK.
  */

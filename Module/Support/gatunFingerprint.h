@@ -10,9 +10,9 @@
 
 namespace gatun
 {
-/** A hash of 128 bits by which arrays are recognized that are no longer in memory. Among 10^9
- * different ones, the probability that any two have the same is below 10^-20. It is no protection
- * from arrays that were made to have the same. */
+/** A hash of 128 bits that recognizes arrays that are no longer in memory. Among 10^9 different
+ * ones, the probability of a collision is below 10^-20. It is no protection from deliberate
+ * collisions. */
 struct Fingerprint
 {
   std::uint64_t Low = 0;

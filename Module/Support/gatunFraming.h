@@ -17,8 +17,7 @@
 namespace gatun
 {
 /**
- * Points in blocks, of which extremes are looked for. Only blocks whose boxes reach far enough are
- * visited.
+ * Points in blocks, for a search of extremes. Only blocks whose boxes reach far enough are visited.
  */
 class GATUN_EXPORT PointBlocks
 {
@@ -30,10 +29,10 @@ public:
    * available. The box then takes their place. */
   using Visit = std::function<bool(std::size_t block, const Use& use)>;
 
-  /** Boxes: of the blocks. Those without points are left out. */
+  /** Boxes: of the blocks. Blocks without points are left out. */
   explicit PointBlocks(std::vector<Bounds> boxes, Visit visit = {});
 
-  /** Points that are blocks of their own. */
+  /** Points without blocks. */
   explicit PointBlocks(std::span<const Point> points);
 
   /** Whether there is no point. */
@@ -75,7 +74,7 @@ struct Framing
   double ParallelScale = 1;           ///< half the height of what a parallel projection shows
 };
 
-/** The part of the image that is filled along the axis that limits the size. */
+/** The filled fraction of the image along the axis that limits the size. */
 constexpr double FramingFill = 0.94;
 
 /** The place from which the points just fit into the image, with a small margin and in its middle.

@@ -15,7 +15,7 @@ namespace gatun
  */
 void KeepFreedMemory();
 
-/** Gives freed memory back to the system, after work that takes much more of it than what follows.
+/** Gives freed memory back to the system, after work that takes much more memory than later work.
  * Exported for the gtn program. */
 GATUN_EXPORT void ReturnFreedMemory();
 }

@@ -35,8 +35,8 @@ inline void AskForHugePages([[maybe_unused]] void* memory, [[maybe_unused]] std:
 }
 
 /**
- * Memory for arrays of many megabytes, in huge pages: to find and clear pages of the usual 4096
- * bytes one by one takes as long as decoding what is then stored in them.
+ * Memory for arrays of many megabytes, in huge pages: finding and clearing pages of the usual 4096
+ * bytes one by one takes as long as decoding their contents.
  *
  * Elements that no value is given for are left uninitialized if their type permits.
  */

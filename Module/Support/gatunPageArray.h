@@ -16,9 +16,9 @@
 namespace gatun
 {
 /**
- * Memory for results that stay while much temporary memory is taken and given back around them.
- * They have pages of their own. On the heap they would be between the temporary arrays, and what is
- * free around them would be too small for the next ones, so that the heap would grow.
+ * Memory for results that stay while much temporary memory is allocated and freed around them. They
+ * have pages of their own. On the heap they would lie between the temporary arrays and fragment it,
+ * so that the heap would grow.
  */
 template <typename T>
 class PageAllocator

@@ -19,15 +19,15 @@ using FileText = std::function<std::string(const std::string& path)>;
 
 /**
  * The processors that the control groups of a process allow, rounded up and at least 1; 0 if they
- * do not limit them. That is the least of all quotas of its groups and of those around them:
- * cpu.max (version 2), cpu.cfs_quota_us by cpu.cfs_period_us (version 1). Read has
- * /proc/self/cgroup and what is in /sys/fs/cgroup. In a container, the name of the group may be
- * that outside of it; the groups that are not there have no quota.
+ * do not limit them. That is the least of all quotas of its groups and their parents: cpu.max
+ * (version 2), cpu.cfs_quota_us by cpu.cfs_period_us (version 1). Read has /proc/self/cgroup and
+ * the files of /sys/fs/cgroup. In a container, the name of the group may be that outside of it; the
+ * groups that are not there have no quota.
  */
 GATUN_EXPORT int GetProcessorQuota(const FileText& read);
 
-/** The number of processors that this process may use: those that the system schedules it on, and
- * no more than its quota when this was first called. At least 1. */
+/** The number of processors that this process may use: the processors of its affinity, but no more
+ * than its quota at the first call. At least 1. */
 GATUN_EXPORT int GetNumberOfProcessors();
 }
 

@@ -55,7 +55,7 @@ constexpr bool IsFloating(ScalarType type)
   return type == ScalarType::Float32 || type == ScalarType::Float64;
 }
 
-/** The elements of the mesh that the tuples of an array belong to. */
+/** The elements of the mesh to which the tuples of an array belong. */
 enum class Association : std::uint8_t
 {
   Point = 0,
@@ -223,7 +223,7 @@ struct FileStatistics
   std::uint64_t OtherMeshBytes = 0;  ///< all but the first mesh of a series, with their arrays
   std::uint64_t DirectoryBytes = 0;  ///< headers, tables, meta data
 
-  /** Takes the bytes of the last array as those of coordinates, if the points move. */
+  /** Counts the bytes of the last array as coordinates, if the points move. */
   void SplitPoints(bool pointsMove)
   {
     if (pointsMove)

@@ -22,7 +22,7 @@ class GATUN_EXPORT ValueHistogram
 public:
   static constexpr std::size_t Bins = 4096;
 
-  /** Of the whole, at each end of the range: what may be far from the rest. */
+  /** Fraction of the whole at each end of the range that may be outliers. */
   static constexpr double OuterFraction = 0.0005;
 
   enum class Scale
@@ -35,8 +35,8 @@ public:
    * which the bins are equal. */
   explicit ValueHistogram(const Range& range, Scale scale = Scale::Linear);
 
-  /** Adds a part of the object whose values are evenly distributed from low to high. What is beyond
-   * the range counts at its ends. NaN is left out. */
+  /** Adds a part of the object whose values are evenly distributed from low to high. Values beyond
+   * the range count at its ends. NaN is left out. */
   void Add(double low, double high, std::uint64_t weight);
 
   /** An empty one with the same bins. */
@@ -54,8 +54,8 @@ public:
   /** The value at a part of the range, from 0 to 1. */
   double GetValue(double part) const;
 
-  /** The fractions of the whole in a number of equal bins over a part of the range. What is beyond
-   * that part counts at its ends. All zero if there is nothing. */
+  /** The fractions of the whole in a number of equal bins over a part of the range. Values beyond
+   * that part count at its ends. All zero if there is nothing. */
   std::vector<double> GetFractions(const Range& part, std::size_t bins) const;
 
   /** The number of bins over a range. */
@@ -77,9 +77,9 @@ private:
   std::uint64_t Total = 0;
 };
 
-/** Makes a histogram that resolves the values of nearly the whole object. Range: of all values, of
- * which those that are not finite do not count. Fill adds the object to a histogram; it is called
- * again, at most three times, if a few values are far from all others. */
+/** Makes a histogram that resolves the values of nearly the whole object. Range: of all values.
+ * Values that are not finite do not count. Fill adds the object to a histogram; it is called again,
+ * at most three times, if a few values are far from all others. */
 GATUN_EXPORT ValueHistogram MakeValueHistogram(
   const Range& range, const std::function<void(ValueHistogram&)>& fill);
 }

@@ -44,9 +44,8 @@ struct FileSurfaceStatistics
 };
 
 /**
- * Isosurfaces of a file. Decodes only the chunks that the surfaces pass through, which the ranges
- * of their values show, one after the other. Keeps decoded chunks in a cache for the next
- * isovalues.
+ * Isosurfaces of a file. Decodes only the chunks whose ranges of values contain an isovalue, one
+ * after the other. Keeps decoded chunks in a cache for the next isovalues.
  *
  * With merges, the isosurfaces are those of the simplified mesh.
  *
@@ -63,9 +62,9 @@ public:
   explicit FileSurface(std::shared_ptr<const FileReader> file, std::uint64_t cacheBudget = 0,
     std::shared_ptr<const MergeTree> tree = nullptr, std::size_t merges = 0);
 
-  /** Uses a cache that others use, too. Its owner sets its budget and what it keeps. If the budget
-   * is too small for the parts that one chunk after the other needs, up to 32 MiB (64 MiB with
-   * merges) are kept in addition while a surface is extracted. */
+  /** Uses a shared cache, whose owner sets its budget and contents. If the budget is too small for
+   * the parts that one chunk after the other needs, up to 32 MiB (64 MiB with merges) are kept in
+   * addition while a surface is extracted. */
   explicit FileSurface(std::shared_ptr<ChunkCache> cache,
     std::shared_ptr<const MergeTree> tree = nullptr, std::size_t merges = 0);
 

@@ -18,7 +18,7 @@
 
 namespace gatun
 {
-/** The array that has the values of another one, and which of its components they are. */
+/** The array with the values of another one, and their components there. */
 struct ArrayCopy
 {
   std::uint32_t Source = 0;
@@ -33,11 +33,11 @@ using ArrayCopies = std::vector<std::optional<ArrayCopy>>;
 class CopySurvey
 {
 public:
-  /** values: of each array, for so many points and cells. */
+  /** values: of each array, for these numbers of points and cells. */
   void Add(const std::vector<ArrayDescription>& arrays, std::span<const void* const> values,
     std::uint64_t points, std::uint64_t cells);
 
-  /** What is known for another process, and its addition to that here. */
+  /** Serializes the survey for another process, and adds such a message. */
   void Put(ByteWriter& out) const;
   void Add(ByteReader& in);
 

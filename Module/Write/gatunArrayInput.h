@@ -32,8 +32,8 @@ struct ArrayInput
   bool IsLater = false;                       // than the first step of its mesh
   const std::vector<bool>* IsAlive = nullptr; // which tuples count for ranges; null: all
 
-  /** What streams must save to be decoded more slowly: what changes with time is decoded for every
-   * picture. */
+  /** Savings that justify slower decoding of streams: data that change with time are decoded for
+   * every frame. */
   ModeChoice GetModeChoice() const
   {
     return this->IsLater ? ModeChoice{ 3, 0.5, true } : ModeChoice{};

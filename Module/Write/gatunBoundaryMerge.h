@@ -40,7 +40,7 @@ struct BoundaryRecord
   }
 };
 
-/** The points of a part that are those of other parts. */
+/** The points that a part has in common with other parts. */
 struct PartJoins
 {
   /** The points of each group, in the order of the file. Groups are numbers of BoundaryMerge. */
@@ -85,15 +85,15 @@ struct JoinCounts
 };
 
 /**
- * Finds equal points of parts: those with equal keys and values. Points of one part are never
- * joined, and points that have several equal ones in a part are left apart, so that cracks stay.
+ * Finds equal points of parts, by keys and values. Points of one part are never joined, and points
+ * that have several equal ones in a part are left apart, so that cracks stay.
  *
  * Memory: about twice the given one, and the groups of shared points.
  */
 class BoundaryMerge
 {
 public:
-  /** folder: of the files for what exceeds the memory, in bytes. */
+  /** folder: of temporary files. memory: in bytes, before files are used. */
   BoundaryMerge(const std::string& folder, std::size_t memory)
     : Boundaries(folder, memory)
     , Joins(folder, memory)

@@ -25,14 +25,14 @@ public:
    * cells. */
   CellSubset(const MeshAccess& mesh, const RemainingCells& remaining);
 
-  /** Whether each point or cell of the mesh is alive. */
+  /** Whether each point or cell of the mesh remains. */
   const std::vector<bool>& Get(Association where) const
   {
     return where == Association::Point ? this->Points : this->Cells;
   }
 
-  /** The values of an array for all points or cells of the mesh: those that are not alive have the
-   * values of the step before. */
+  /** The values of an array for all points or cells of the mesh: deleted ones have the values of
+   * the previous step. */
   Bytes Spread(
     const void* values, Association where, std::size_t tupleSize, const Bytes& before) const;
 

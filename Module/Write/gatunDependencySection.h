@@ -35,8 +35,8 @@ public:
   DependencySection(const DependencySection&) = delete;
   DependencySection& operator=(const DependencySection&) = delete;
 
-  /** Writes the section, unless FindDependencies has none or there is no stream for so many. tree:
-   * in the numbers of the file. Error(Aborted) is thrown if progress returns false. */
+  /** Writes the section, unless FindDependencies has no result or there are too many for a stream.
+   * tree: in the numbers of the file. Error(Aborted) is thrown if progress returns false. */
   void Write(const MergeTree& tree, const std::function<bool(double)>& progress);
 
 private:

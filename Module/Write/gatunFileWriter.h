@@ -52,24 +52,23 @@ public:
    * Adds a time step with the values of all arrays, in the order of the descriptions. Times must
    * ascend strictly. A mesh without time needs one call with hasTime false. A file without any step
    * is valid and has no values. The values of an array are consecutive tuples: Points or Tets times
-   * Components values. coordinates: those of the points at this step if they move
-   * (WriterOptions::PointsMove), as MeshInput::Coordinates; null if they are those of the mesh,
-   * which those of the first step must be. remaining: the cells that are alive, if those of the
-   * mesh are not; there are values and coordinates only for these cells and their points. It needs
-   * time, an earlier step with all cells of the mesh, and no hierarchy and no boundary.
+   * Components values. coordinates: of the points at this step if they move
+   * (WriterOptions::PointsMove), as MeshInput::Coordinates; null for those of the mesh, as at the
+   * first step. remaining: the remaining cells, if some of the mesh are deleted; values and
+   * coordinates are for these cells and their points only. It needs time, an earlier step with all
+   * cells of the mesh, and no hierarchy and no boundary.
    */
   void WriteStep(std::span<const void* const> values, const FieldData& field = {},
     bool hasTime = false, double time = 0, const Progress& progress = {},
     const void* coordinates = nullptr, const RemainingCells* remaining = nullptr);
 
-  /** Adds a mesh that the next steps have. It has the same arrays. The options are those of the
-   * first mesh but for what depends on the mesh: Tree and the values of Layers. The steps of a mesh
-   * that was added before end here. Returns the number of the mesh; the first mesh has 0. Needs
-   * time. */
+  /** Adds a mesh for the next steps. It has the same arrays. The options are those of the first
+   * mesh, except Tree and the values of Layers. Ends the steps of the previous mesh. Returns the
+   * number of the mesh; the first mesh has 0. Needs time. */
   std::uint32_t AddMesh(
     const MeshInput& mesh, const WriterOptions& options, const Progress& progress = {});
 
-  /** Lets the next steps have the first mesh or the one that was added last. */
+  /** Selects the mesh of the next steps: the first or the last one. */
   void UseMesh(std::uint32_t mesh);
 
   /** Completes the file and moves it to its path. */

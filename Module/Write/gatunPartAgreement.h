@@ -4,7 +4,7 @@
 #ifndef gatunPartAgreement_h
 #define gatunPartAgreement_h
 
-// What the processes that write a file together have to agree on before they write their parts.
+// Agreement of the processes that write a file together, before they write their parts.
 
 #include "gatunBoundaryMerge.h"
 #include "gatunPartExchange.h"
@@ -22,7 +22,7 @@
 
 namespace gatun
 {
-/** The parts of one process, and what it writes of the file. */
+/** The parts of one process, and its share of the file. */
 struct ProcessShare
 {
   std::size_t FirstPart = 0;
@@ -59,8 +59,8 @@ public:
    * points have global ids. */
   void AgreeOnParts(std::vector<SurveyedPart>& parts, const std::optional<bool>& hasIds);
 
-  /** Finds the points that parts have in common. boundaries then has those of the parts of this
-   * process, and the state all groups of shared points. */
+  /** Finds the points that parts have in common. boundaries then has the points of this process,
+   * and the state has all groups of shared points. */
   void JoinPoints(BoundaryMerge& boundaries, std::size_t parts);
 
   /** Adds the values of the parts of the other processes. */
@@ -70,7 +70,7 @@ public:
   void SetPlaces(const std::vector<PartPlace>& places);
 
   /** Sends the original numbers of joined points from the first part that has them to the others.
-   * numbers: those of each group of boundaries. */
+   * numbers: of each group of boundaries. */
   void SendNumbers(BoundaryMerge& boundaries, std::vector<std::vector<std::uint64_t>>& numbers);
 
   /** Notes the original numbers of the unused points of a part of this process. numbers: of all its
@@ -78,8 +78,8 @@ public:
   void KeepUnusedNumbers(
     std::size_t part, std::uint64_t first, const std::vector<std::uint64_t>& numbers);
 
-  /** Sends the unused points that no other part has to the process that writes them. joins: those
-   * of each part of this process. */
+  /** Sends the unused points that no other part has to the process that writes them. joins: of each
+   * part of this process. */
   void SendUnused(const std::vector<PartJoins>& joins);
 
   const std::vector<ProcessShare>& GetShares() const { return this->Shares; }

@@ -40,7 +40,7 @@ private:
     std::uint64_t Offset = 0;
   };
 
-  /** What a process has written, with positions in its temporary file. */
+  /** The output of a process, with positions in its temporary file. */
   struct Contribution
   {
     std::uint64_t Size = 0;

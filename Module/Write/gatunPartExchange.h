@@ -15,7 +15,7 @@
 namespace gatun
 {
 /**
- * The messages of processes that do something together, such as to write a file: see PartWriter.
+ * Messages between processes that write a file together; see PartWriter.
  *
  * All methods except the getters are collective: each process must call them in the same order. All
  * processes must have the same byte order and data types.
@@ -33,11 +33,12 @@ public:
   virtual int GetProcess() const = 0;
   virtual int GetProcesses() const = 0;
 
-  /** Sends a message to each process, and returns those from each. May throw in all processes. */
+  /** Sends a message to each process, and returns the messages from each. May throw in all
+   * processes. */
   virtual std::vector<Message> Exchange(std::vector<Message> messages) = 0;
 
-  /** Runs work, which must not be collective. If it throws in a process, throws in all of them: the
-   * same exception there, and in the others an Error with its code and message. */
+  /** Runs work, which must not be collective. If it throws in a process, all processes throw: that
+   * one the same exception, the others an Error with its code and message. */
   void Together(const std::function<void()>& work);
 
   /** Returns the messages of all processes. Together and IsAny call it. */
@@ -49,16 +50,16 @@ public:
   /** Returns the message of the first process. */
   Message TakeFirst(const Message& own);
 
-  /** Whether it is so in any process. */
+  /** Whether the argument is true in any process. */
   bool IsAny(bool own);
 
-  /** Returns the arrays of the first process that has a mesh, or nothing if none has. own: those of
-   * this process, or nothing if it has no mesh. */
+  /** Returns the arrays of the first process that has a mesh, or nothing if none has. own: the
+   * arrays of this process, or nothing if it has no mesh. */
   std::optional<std::vector<ArrayDescription>> TakeArrays(
     const std::optional<std::vector<ArrayDescription>>& own);
 
   /** Exchanges any amount of data in rounds. fill adds to the messages and returns whether there is
-   * more; take gets each message. Errors of both are those of all processes. */
+   * more; take gets each message. Errors of both are thrown in all processes. */
   void ExchangeInRounds(const std::function<bool(std::vector<Message>&)>& fill,
     const std::function<void(const Message&)>& take);
 

@@ -4,7 +4,7 @@
 #ifndef gatunPartSurvey_h
 #define gatunPartSurvey_h
 
-// What has to be known of all parts of a mesh before the first one is written.
+// Survey of all parts of a mesh before the first one is written.
 
 #include "gatunArrayCopies.h"
 #include "gatunBoundaryMerge.h"
@@ -20,7 +20,7 @@
 
 namespace gatun
 {
-/** What is known of a part after the survey. */
+/** Data of a part after the survey. */
 struct SurveyedPart
 {
   std::size_t Chunks = 0;
@@ -76,7 +76,7 @@ public:
 
   std::size_t GetSteps() const { return this->Steps.size(); }
 
-  /** The values so far for another process, and their addition to those here. */
+  /** Serializes the values for another process, and adds such a message. */
   void Put(ByteWriter& out);
   void Add(ByteReader& in);
 

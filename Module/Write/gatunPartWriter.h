@@ -25,19 +25,19 @@ class PartExchange;
 /** Options of PartWriter. */
 struct PartWriterOptions
 {
-  /** Those of the file. Hierarchies and layers need the whole mesh and are refused. */
+  /** Options of the file. Hierarchies and layers need the whole mesh and are refused. */
   WriterOptions File;
 
   /** The number of bytes of points on the boundaries of parts that are kept in memory; further ones
    * are in temporary files in the folder of the file. */
   std::size_t SpillMemory = std::size_t{ 64 } << 20;
 
-  /** Whether the global ids tell which points are in several parts: those with ids of 0 and more.
-   * They are compared wherever they are, and those with negative ids are not compared. */
+  /** Whether the global ids mark the points of several parts by ids of 0 and more. These points are
+   * compared wherever they are, and points with negative ids are not compared. */
   bool JoinByIdsOnly = false;
 };
 
-/** What PartWriter has written. */
+/** Statistics of PartWriter. */
 struct PartStatistics
 {
   FileStatistics File;
@@ -45,20 +45,18 @@ struct PartStatistics
   std::uint64_t Cells = 0;
   std::uint64_t JoinedPoints = 0; ///< points of parts that are the point of another part
 
-  /** Points that are where another part has one, but have other values or another global id, and
-   * are kept apart; or that have the global id of one elsewhere. */
+  /** Points at the place of a point of another part that are kept apart because values or global
+   * ids differ, and points with the global id of a point elsewhere. */
   std::uint64_t DifferentPoints = 0;
 
-  /** Points that are kept apart because several points of one part are where another part has one.
-   */
+  /** Points that are kept apart because one part has several points at the same place. */
   std::uint64_t AmbiguousPoints = 0;
 
   std::uint64_t SpilledBytes = 0;
 };
 
 /**
- * Writes a mesh that comes in parts as one .gtn file, such as FileWriter writes, without ever
- * having the whole mesh in memory.
+ * Writes a mesh that comes in parts as one .gtn file, without ever having the whole mesh in memory.
  *
  * A part is any subset of the cells with their points and arrays; a cell belongs to one part. All
  * parts come twice in the same order, and have to be the same both times:
@@ -85,23 +83,23 @@ struct PartStatistics
  * no cell uses, with their values. With KeepPoints also 8 bytes for each point of several parts.
  *
  * Several processes can write a file together. Each one surveys and writes its own parts, or none;
- * the parts of the file are those of the first process, then those of the second, and so on. All
- * give the same path, arrays and options. EndSurvey and Finish are collective. The other methods,
- * and the constructor, may fail in one process, which the others have to be told:
- * PartExchange::Together does that.
+ * the file has the parts of the first process, then those of the second, and so on. All give the
+ * same path, arrays and options. EndSurvey and Finish are collective. The other methods, and the
+ * constructor, may fail in one process, and the others must learn this: PartExchange::Together does
+ * that.
  *
  *     for each part of this process: Survey(part), and SurveyStep(values) for each time step
  *     EndSurvey()
  *     for each part of this process: Write(part), and WriteStep(values) for each time step
  *     Finish()
  *
- * The bytes are those that one process writes. Between processes go the points on the boundaries of
- * parts, those that no cell uses with their values, and tables: some 300 bytes and 50 bytes for
- * each array and time step a chunk to the first process, and 300 bytes a chunk, the groups of
- * shared points, to each one. Each process writes into a temporary file beside the file, then
- * copies it to its place in the file, which has a temporary name until it is complete. Memory: as
- * above, with the chunks of the whole file; three times the SpillMemory; and in the first process
- * twice the tables of all.
+ * The bytes are those of one process. Between processes go the points on the boundaries of parts,
+ * those that no cell uses with their values, and tables: some 300 bytes and 50 bytes for each array
+ * and time step a chunk to the first process, and 300 bytes a chunk, the groups of shared points,
+ * to each one. Each process writes into a temporary file beside the file, then copies it to its
+ * place in the file, which has a temporary name until it is complete. Memory: as above, with the
+ * chunks of the whole file; three times the SpillMemory; and in the first process twice the tables
+ * of all.
  *
  * The file appears at its path when Finish returns. The bytes do not depend on the number of
  * threads. Every method may throw Error (InvalidInput, CannotWrite, Aborted), after which only the

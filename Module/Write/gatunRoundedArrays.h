@@ -41,7 +41,7 @@ public:
 
   const std::uint8_t* GetValues() const { return this->Values.data(); }
 
-  /** Rounds what is on the lattices of the domains: all tuples, or those of the lists. */
+  /** Rounds the values on the lattices of the domains: all tuples, or those of the lists. */
   void PutOnLattice(std::span<const Domain> domains, std::span<const std::uint32_t> shared,
     std::span<const std::uint32_t> unused);
 

@@ -37,7 +37,7 @@ struct StepValues
   /** For values that are on the lattices of another file: its domains. Otherwise null. */
   const std::vector<std::vector<Domain>>* Rounded = nullptr;
 
-  /** The cells that are alive, whose values count for ranges. Null if all are. */
+  /** The remaining cells, whose values count for ranges. Null: all cells. */
   const CellSubset* Remaining = nullptr;
 };
 

@@ -25,8 +25,8 @@ struct WriterOptions
    * of that. */
   std::uint32_t ChunkSize = 0;
 
-  /** The number of parts that the mesh is expected to have, of about the same size. Without
-   * ChunkSize, chunks are as large as suits all of them together. */
+  /** The expected number of parts of the mesh, of about the same size. Without ChunkSize, it
+   * determines the size of chunks. */
   std::uint32_t Parts = 1;
 
   /** The interval of time steps that are coded independently of their predecessor, 1 or more. */
@@ -43,8 +43,8 @@ struct WriterOptions
   /** A merge tree of all points of the mesh, or null. It must exist until Finish has returned. */
   const MergeTree* Tree = nullptr;
 
-  /** Whether to store which merges of the tree, and of those of base meshes and the boundary,
-   * depend on which (MergeDependencies). Otherwise readers that need them decode the mesh. */
+  /** Whether to store the dependencies between merges (MergeDependencies), also for base meshes and
+   * the boundary. Otherwise readers that need them decode the mesh. */
   bool Dependencies = false;
 
   /** The maximum number of base meshes to store: with half of the points, a quarter and so on, down
@@ -57,14 +57,14 @@ struct WriterOptions
    * point sets have none. */
   bool Boundary = false;
 
-  /** The arrays whose values may have an error, and how large it may be. Others are exact, and so
-   * are NaN, infinities, integers with bounds below 1, components that are constant if the bound is
+  /** The arrays whose values may have an error, with their bounds. Others are exact, and so are
+   * NaN, infinities, integers with bounds below 1, components that are constant if the bound is
    * relative, ids (global ids, pedigree ids, and all of vtkIdType) and vtkGhostType. Relative
-   * bounds are bounds of each time step, by the range of all parts. */
+   * bounds refer to the range of all parts at each time step. */
   std::vector<ArrayError> Errors;
 
-  /** Whether values are not predicted by quadratic functions, which make arrays smaller but take
-   * longer to find than others. */
+  /** Whether to skip predictions by quadratic functions, which make arrays smaller but take longer
+   * to decode. */
   bool FastArrays = false;
 
   /** The layers to organize the file and its base meshes by, if any. */
