@@ -142,6 +142,18 @@ class Errors:
         return "\n".join(self.messages)
 
 
+def set_options(algorithm, **options):
+    """Sets properties of an algorithm, or of its detail policy where they are there."""
+    for name, value in options.items():
+        owner = algorithm if hasattr(algorithm, "Set" + name) else algorithm.GetDetailPolicy()
+        getattr(owner, "Set" + name)(*(value if isinstance(value, tuple) else (value,)))
+
+
+def statistic(algorithm, name):
+    """A number of GetStatistics."""
+    return algorithm.GetStatistics().GetColumnByName(name).GetValue(0)
+
+
 def write(grid, path, **options):
     """Writes by vtkGatunWriter with these options; must succeed. Returns the writer."""
     writer = vtkGatunWriter()
