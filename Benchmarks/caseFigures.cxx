@@ -15,6 +15,7 @@
 #include "gatunParallel.h"
 #include "gatunRayCaster.h"
 #include "gatunSimplifiedFile.h"
+#include "vtkGatunDetailPolicy.h"
 #include "vtkGatunRayCaster.h"
 #include "vtkGatunReader.h"
 
@@ -24,7 +25,9 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVariant.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -127,7 +130,7 @@ void DrawFile(vtkGatunRayCaster* caster, const FigureOptions& options)
   reader->SetMemoryBudget(0);
   reader->SetFileName(options.File.c_str());
   caster->SetInputConnection(reader->GetOutputPort());
-  caster->SetSimplificationRatio(options.Ratio);
+  caster->GetDetailPolicy()->SetSimplificationRatio(options.Ratio);
   DrawByCaster(caster, MakeScene(gatun::FileReader(options.File), options.Array), options);
 }
 
@@ -157,7 +160,7 @@ void MeasureFly(const FigureOptions& options)
     {
       json["threads"] = gatun::GetNumberOfThreads();
       AddCost(json, cost);
-      json["tets"] = caster->GetStatistic(vtkGatunRayCaster::NumberOfTetrahedra);
+      json["tets"] = caster->GetStatistics()->GetValueByName(0, "DrawnTetrahedra").ToDouble();
       json["mean"] = GetMeanOpacity(caster->GetOutput());
     });
 }

@@ -9,6 +9,7 @@
 #include "gatunFileContour.h"
 #include "gatunGridContour.h"
 #include "gatunReport.h"
+#include "gatunStatistics.h"
 #include "vtkGatunCompat.h"
 
 #include "vtkContourValues.h"
@@ -57,6 +58,7 @@ class vtkGatunContour::vtkInternals
 public:
   vtkNew<vtkContourValues> Values;
   gatun::FileContour File;
+  gatun::Statistics Statistics;
 
   gatun::ContourSettings GetSettings(vtkGatunContour* self)
   {
@@ -126,27 +128,16 @@ void vtkGatunContour::GenerateValues(int number, double first, double last)
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkGatunContour::GetNumberOfChunks()
+vtkTable* vtkGatunContour::GetStatistics()
 {
-  return static_cast<vtkIdType>(this->Internals->File.GetNumberOfChunks());
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGatunContour::GetNumberOfChunksUsed()
-{
-  return static_cast<vtkIdType>(this->Internals->File.GetStatistics().Chunks);
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGatunContour::GetNumberOfTetrahedraUsed()
-{
-  return static_cast<vtkIdType>(this->Internals->File.GetStatistics().Tets);
-}
-
-//------------------------------------------------------------------------------
-vtkTypeUInt64 vtkGatunContour::GetBytesRead()
-{
-  return this->Internals->File.GetBytesRead();
+  const gatun::FileContour& file = this->Internals->File;
+  gatun::Statistics& table = this->Internals->Statistics;
+  table.Clear();
+  table.Add("Chunks", file.GetNumberOfChunks());
+  table.Add("UsedChunks", file.GetStatistics().Chunks);
+  table.Add("UsedTetrahedra", file.GetStatistics().Tets);
+  table.Add("BytesRead", file.GetBytesRead());
+  return table.Get();
 }
 
 //------------------------------------------------------------------------------

@@ -67,6 +67,8 @@
 VTK_ABI_NAMESPACE_BEGIN
 #endif
 
+class vtkTable;
+
 class VTKGATUNFILTERS_EXPORT vtkGatunContour : public vtkPolyDataAlgorithm
 {
 public:
@@ -97,8 +99,8 @@ public:
 
   ///@{
   /**
-   * Component of the array, from 0; -1, or the number of components, is the Euclidean length of the
-   * tuple, or the value itself if there is only one component. Default: -1.
+   * Component of the array, from 0. -1 is the length of the tuple, or the value of an array of one
+   * component. The number of components is the length, too, as in ParaView. Default: -1.
    */
   vtkSetClampMacro(ArrayComponent, int, -1, VTK_INT_MAX);
   vtkGetMacro(ArrayComponent, int);
@@ -144,21 +146,18 @@ public:
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
-  ///@{
   /**
-   * Statistics of the last update from a file: the number of chunks in the file, of chunks that the
-   * surfaces pass through, and of tetrahedra in these chunks; 0 without a file.
+   * Statistics of the last update from a file, in the columns of a table of one row; zeros without
+   * a file.
+   *
+   *  - Chunks: chunks in the file.
+   *  - UsedChunks: of these, those that the surfaces pass through.
+   *  - UsedTetrahedra: tetrahedra in the chunks used.
+   *  - BytesRead: bytes that the reader and all its consumers have read since the file was opened.
+   *
+   * The next call returns another table.
    */
-  vtkIdType GetNumberOfChunks();
-  vtkIdType GetNumberOfChunksUsed();
-  vtkIdType GetNumberOfTetrahedraUsed();
-  ///@}
-
-  /**
-   * Bytes that the reader and all its consumers have read from the file since it was opened; 0
-   * without a file.
-   */
-  vtkTypeUInt64 GetBytesRead();
+  vtkTable* GetStatistics();
 
   /**
    * Includes the time of the isovalues.

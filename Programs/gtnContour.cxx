@@ -19,6 +19,8 @@
 #include "vtkCellArray.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -197,13 +199,14 @@ void PrintStatistics(const ContourOptions& options, const ContourInput& input,
   }
   if (input.IsFile())
   {
-    const auto grouped = [](vtkIdType number)
-    { return GroupDigits(static_cast<std::uint64_t>(number)); };
+    vtkTable* const table = contour->GetStatistics();
+    const auto get = [table](const char* name)
+    { return static_cast<std::uint64_t>(table->GetValueByName(0, name).ToTypeUInt64()); };
     PrintRow("layers of the array", input.IsLayered() ? "yes" : "no");
-    PrintRow("chunks passed through", grouped(contour->GetNumberOfChunksUsed()));
-    PrintRow("  of", grouped(contour->GetNumberOfChunks()));
-    PrintRow("tetrahedra in these", grouped(contour->GetNumberOfTetrahedraUsed()));
-    PrintRow("read", DescribeByteSize(contour->GetBytesRead()));
+    PrintRow("chunks passed through", GroupDigits(get("UsedChunks")));
+    PrintRow("  of", GroupDigits(get("Chunks")));
+    PrintRow("tetrahedra in these", GroupDigits(get("UsedTetrahedra")));
+    PrintRow("read", DescribeByteSize(get("BytesRead")));
     PrintRow("  of", DescribeByteSize(std::filesystem::file_size(options.Input.File)));
   }
   PrintRow("time", fmt::format("{:.3f} s", seconds));

@@ -16,11 +16,14 @@
 #include "gtnText.h"
 
 #include "vtkGatunDefaults.h"
+#include "vtkGatunDetailPolicy.h"
 #include "vtkGatunRayCaster.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
 #include "vtkVolumeProperty.h"
 
 #include <CLI/CLI.hpp>
@@ -35,39 +38,35 @@ namespace
 
 Statistics StatisticsOf(vtkGatunRayCaster* caster)
 {
-  const auto get = [caster](int which) { return caster->GetStatistic(which); };
+  vtkTable* const table = caster->GetStatistics();
+  const auto get = [table](const char* name) { return table->GetValueByName(0, name).ToDouble(); };
   return {
-    { "fetchSeconds", "  decoding, all threads", Statistic::Seconds,
-      get(vtkGatunRayCaster::FetchTime) },
+    { "fetchSeconds", "  decoding, all threads", Statistic::Seconds, get("FetchSeconds") },
     { "simplifySeconds", "    of these, merging points", Statistic::Seconds,
-      get(vtkGatunRayCaster::SimplifyTime) },
-    { "orderSeconds", "  projecting and ordering", Statistic::Seconds,
-      get(vtkGatunRayCaster::OrderTime) },
-    { "setUpSeconds", "  planes of faces", Statistic::Seconds, get(vtkGatunRayCaster::SetUpTime) },
-    { "drawSeconds", "  rays", Statistic::Seconds, get(vtkGatunRayCaster::DrawTime) },
-    { "finishSeconds", "  fragments into pixels", Statistic::Seconds,
-      get(vtkGatunRayCaster::FinishTime) },
-    { "tets", "tetrahedra of drawn chunks", Statistic::Count,
-      get(vtkGatunRayCaster::NumberOfTetrahedra) },
-    { "points", "points of the simplified mesh", Statistic::Count,
-      get(vtkGatunRayCaster::NumberOfPoints) },
-    { "seenTets", "  seen", Statistic::Count, get(vtkGatunRayCaster::NumberOfSeenTetrahedra) },
-    { "chunks", "chunks drawn", Statistic::Count, get(vtkGatunRayCaster::NumberOfChunks) },
-    { "skippedChunks", "chunks skipped", Statistic::Count,
-      get(vtkGatunRayCaster::NumberOfSkippedChunks) },
-    { "mostWaiting", "most tetrahedra waiting", Statistic::Count,
-      get(vtkGatunRayCaster::MostWaitingTetrahedra) },
-    { "mostFragments", "most fragments", Statistic::Count, get(vtkGatunRayCaster::MostFragments) },
-    { "mostBytes", "most for image and chunks", Statistic::Bytes,
-      get(vtkGatunRayCaster::MostBytes) },
+      get("SimplifySeconds") },
+    { "orderSeconds", "  projecting and ordering", Statistic::Seconds, get("OrderSeconds") },
+    { "setUpSeconds", "  planes of faces", Statistic::Seconds, get("SetUpSeconds") },
+    { "drawSeconds", "  rays", Statistic::Seconds, get("DrawSeconds") },
+    { "finishSeconds", "  fragments into pixels", Statistic::Seconds, get("FinishSeconds") },
+    { "tets", "tetrahedra of drawn chunks", Statistic::Count, get("DrawnTetrahedra") },
+    { "points", "points of the simplified mesh", Statistic::Count, get("DrawnPoints") },
+    { "seenTets", "  seen", Statistic::Count, get("SeenTetrahedra") },
+    { "chunks", "chunks drawn", Statistic::Count, get("DrawnChunks") },
+    { "skippedChunks", "chunks skipped", Statistic::Count, get("SkippedChunks") },
+    { "mostWaiting", "most tetrahedra waiting", Statistic::Count, get("MostWaitingTetrahedra") },
+    { "mostFragments", "most fragments", Statistic::Count, get("MostFragments") },
+    { "mostBytes", "most for image and chunks", Statistic::Bytes, get("MostBytes") },
   };
 }
 
-/** Where the mesh is simplified. */
-void SetDetail(const RenderOptions& options, vtkGatunRayCaster* caster)
+/** Where and how far the mesh is simplified. */
+void SetDetail(const RenderOptions& options, vtkGatunDetailPolicy* policy)
 {
-  caster->SetViewDependent(!options.Uniform);
-  caster->SetPixelError(options.PixelError);
+  policy->SetSimplificationRatio(options.Ratio);
+  policy->SetJustInTime(options.TimeBudget > 0);
+  policy->SetTimeBudget(options.TimeBudget);
+  policy->SetViewDependent(!options.Uniform);
+  policy->SetPixelError(options.PixelError);
 }
 
 void Render(const RenderOptions& options, const Settings& settings)
@@ -95,9 +94,7 @@ void Render(const RenderOptions& options, const Settings& settings)
   caster->SetSize(options.Width, options.Height);
   caster->SetBlendMode(options.BlendMode);
   caster->SetMemoryBudget(memory);
-  caster->SetSimplificationRatio(options.Ratio);
-  caster->SetTimeBudget(options.TimeBudget);
-  SetDetail(options, caster);
+  SetDetail(options, caster->GetDetailPolicy());
   caster->SetProperty(property);
   input->Connect(caster, memory);
   const auto render = [&](vtkCamera* camera, Progress& progress)

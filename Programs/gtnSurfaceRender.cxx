@@ -16,6 +16,7 @@
 
 #include "gatunFileReader.h"
 #include "vtkGatunDefaults.h"
+#include "vtkGatunDetailPolicy.h"
 #include "vtkGatunSurfaceMapper.h"
 #include "vtkGatunSurfaceReader.h"
 
@@ -31,6 +32,8 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
 #include "vtkVolumeProperty.h"
 
 #include <X11/Xlib.h>
@@ -245,13 +248,12 @@ Statistics StatisticsOf(vtkGatunSurfaceMapper* mapper)
   {
     return {};
   }
-  return { { "chunks", "chunks drawn", Statistic::Count,
-             static_cast<double>(mapper->GetNumberOfDrawnChunks()) },
-    { "drawnPoints", "points left of a simplified surface", Statistic::Count,
-      static_cast<double>(mapper->GetNumberOfDrawnPoints()) },
-    { "decodedChunks", "chunks decoded so far", Statistic::Count,
-      static_cast<double>(mapper->GetNumberOfDecodedChunks()) },
-    { "bufferBytes", "buffers", Statistic::Bytes, static_cast<double>(mapper->GetBufferBytes()) } };
+  vtkTable* const table = mapper->GetStatistics();
+  const auto get = [table](const char* name) { return table->GetValueByName(0, name).ToDouble(); };
+  return { { "chunks", "chunks drawn", Statistic::Count, get("DrawnChunks") },
+    { "drawnPoints", "points left of a simplified surface", Statistic::Count, get("DrawnPoints") },
+    { "decodedChunks", "chunks decoded so far", Statistic::Count, get("DecodedChunks") },
+    { "bufferBytes", "buffers", Statistic::Bytes, get("BufferBytes") } };
 }
 } // anonymous namespace
 
@@ -271,8 +273,8 @@ void RenderSurface(const RenderOptions& options, const Settings& settings)
   vtkNew<vtkGatunDefaults> defaults;
   input->Connect(defaults.Get());
   SetColors(mapper, *input, options);
-  mapper->SetSimplificationRatio(options.Ratio);
-  mapper->SetPixelError(options.PixelError);
+  mapper->GetDetailPolicy()->SetSimplificationRatio(options.Ratio);
+  mapper->GetDetailPolicy()->SetPixelError(options.PixelError);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   vtkNew<vtkRenderer> renderer;

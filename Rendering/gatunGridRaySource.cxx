@@ -96,12 +96,13 @@ std::string DescribeMissing(const RayArray& array)
 }
 
 //------------------------------------------------------------------------------
-void RequireComponent(const RayArray& array, std::uint32_t components)
+int FindComponent(const RayArray& array, std::uint32_t components)
 {
   if (array.Component < -1 || array.Component >= static_cast<int>(components))
   {
     ThrowInvalid("the array to draw has no component " + std::to_string(array.Component));
   }
+  return components == 1 ? 0 : array.Component;
 }
 
 //------------------------------------------------------------------------------
@@ -124,11 +125,10 @@ GridMesh::GridMesh(vtkUnstructuredGrid* grid, const RayArray& array)
 {
   const auto [scalars, where] = FindArray(this->Tets, array);
   const BridgedArray values = Bridge(scalars, where);
-  RequireComponent(array, values.Description.Components);
   this->Scalars = values.Owner;
   this->Hidden = FindHidden(this->Tets);
-  this->Values = { where, values.Description.Type, values.Description.Components, array.Component,
-    values.Values };
+  this->Values = { where, values.Description.Type, values.Description.Components,
+    FindComponent(array, values.Description.Components), values.Values };
 }
 
 GridMesh::~GridMesh() = default;

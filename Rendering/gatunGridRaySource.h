@@ -33,7 +33,7 @@ struct RayArray
 {
   std::string Name;         ///< empty: the active scalars, of the points or else of the cells
   int Association = -1;     ///< 0: of the points; 1: of the cells; -1: of either, points first
-  int Component = 0;        ///< -1: the length of the tuples
+  int Component = -1;       ///< -1: the length of tuples, or the value where there is one component
   std::optional<int> Index; ///< which array of its kind, from 0, instead of a name
 
   bool operator==(const RayArray&) const = default;
@@ -42,8 +42,9 @@ struct RayArray
 /** What is missing, for a message. */
 std::string DescribeMissing(const RayArray& array);
 
-/** Throws InvalidInput if an array of so many components does not have the one that is drawn. */
-void RequireComponent(const RayArray& array, std::uint32_t components);
+/** The component that is drawn of an array with so many, or -1 for the length. Throws InvalidInput
+ * if it does not have it. */
+int FindComponent(const RayArray& array, std::uint32_t components);
 
 /** The range of all blocks together. */
 Range GetWholeRange(const RaySource& source);

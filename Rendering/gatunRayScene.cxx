@@ -154,8 +154,8 @@ void RayScene::SetFile(
   }
   const FileReader& file = *handle.File->GetFile();
   const auto index = FindArray(file, array);
-  RequireComponent(array, file.GetArrays()[index].Components);
-  const RayValues values{ index, array.Component, step };
+  const int component = FindComponent(array, file.GetArrays()[index].Components);
+  const RayValues values{ index, component, step };
   auto whole =
     std::make_shared<FileRaySource>(handle.File->MakeView(handle.File->GetFile(), false), values);
   if (simplifies && file.HasMergeTree())
@@ -170,7 +170,7 @@ void RayScene::SetFile(
     this->Reason =
       handle.Path + ": there is no hierarchy in the file; make one with gtn pack --hierarchy";
   }
-  this->Take(key, std::move(whole), GetDrawnRange(file.GetRanges(index, step), array.Component));
+  this->Take(key, std::move(whole), GetDrawnRange(file.GetRanges(index, step), component));
 }
 
 //------------------------------------------------------------------------------

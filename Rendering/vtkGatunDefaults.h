@@ -87,7 +87,8 @@ public:
 
   ///@{
   /**
-   * Component of the array, from 0; -1 is the length of the tuple. Default: 0.
+   * Component of the array, from 0. -1 is the length of the tuple, or the value of an array of one
+   * component. Default: -1.
    */
   vtkSetClampMacro(ArrayComponent, int, -1, VTK_INT_MAX);
   vtkGetMacro(ArrayComponent, int);
@@ -164,7 +165,7 @@ protected:
 
   char* ArrayName = nullptr;
   int ArrayAssociation = -1;
-  int ArrayComponent = 0;
+  int ArrayComponent = -1;
   double Time = 0;
   bool UseTime = false;
   double Range[2] = { 1, -1 };

@@ -3,6 +3,7 @@
 
 #include "vtkGatunRayCaster.h"
 
+#include "gatunDetailSettings.h"
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
 #include "gatunFileConsumer.h"
@@ -13,6 +14,7 @@
 #include "gatunRayRendering.h"
 #include "gatunRayScene.h"
 #include "gatunReport.h"
+#include "gatunStatistics.h"
 #include "vtkGatunCompat.h"
 
 #include "vtkCamera.h"
@@ -75,11 +77,13 @@ public:
   vtkSmartPointer<vtkPlaneCollection> ClippingPlanes;
   gatun::RayScene Scene;
   gatun::JustInTime Frames;
-  gatun::RayStatistics Statistics;
-  std::uint64_t Points = 0; // of the last image
+  gatun::DetailPolicyOwner Policy;
+  gatun::RayStatistics Counts; // of the last image
+  std::uint64_t Points = 0;    // of the last image
+  gatun::Statistics Statistics;
 
-  void Draw(const vtkGatunRayCaster& self, gatun::FrameRequest request, gatun::RayCaster& caster,
-    const gatun::RayView& view, const gatun::RaySource::Progress& progress);
+  void Draw(gatun::FrameRequest request, gatun::RayCaster& caster, const gatun::RayView& view,
+    const gatun::RaySource::Progress& progress);
 };
 
 //------------------------------------------------------------------------------
@@ -202,47 +206,46 @@ vtkMTimeType vtkGatunRayCaster::GetMTime()
   include(this->Internals->Property);
   include(this->Internals->VolumeMatrix);
   include(this->Internals->ClippingPlanes);
+  include(this->Internals->Policy.Get());
   return time;
 }
 
 //------------------------------------------------------------------------------
-double vtkGatunRayCaster::GetStatistic(int which)
+void vtkGatunRayCaster::SetDetailPolicy(vtkGatunDetailPolicy* policy)
 {
-  const gatun::RayStatistics& s = this->Internals->Statistics;
-  switch (which)
+  if (this->Internals->Policy.Set(policy))
   {
-    case FetchTime:
-      return s.FetchTime;
-    case OrderTime:
-      return s.OrderTime;
-    case SetUpTime:
-      return s.SetUpTime;
-    case DrawTime:
-      return s.DrawTime;
-    case FinishTime:
-      return s.FinishTime;
-    case NumberOfTetrahedra:
-      return static_cast<double>(s.Tets);
-    case NumberOfSeenTetrahedra:
-      return static_cast<double>(s.SeenTets);
-    case NumberOfChunks:
-      return static_cast<double>(s.Blocks);
-    case NumberOfSkippedChunks:
-      return static_cast<double>(s.SkippedBlocks);
-    case MostWaitingTetrahedra:
-      return static_cast<double>(s.MostWaiting);
-    case MostFragments:
-      return static_cast<double>(s.MostFragments);
-    case MostBytes:
-      return static_cast<double>(s.MostBytes);
-    case NumberOfPoints:
-      return static_cast<double>(this->Internals->Points);
-    case SimplifyTime:
-      return s.SimplifyTime;
-    default:
-      vtkErrorMacro("There is no statistic " << which << ".");
-      return 0;
+    this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+vtkGatunDetailPolicy* vtkGatunRayCaster::GetDetailPolicy()
+{
+  return this->Internals->Policy.Get();
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkGatunRayCaster::GetStatistics()
+{
+  const gatun::RayStatistics& s = this->Internals->Counts;
+  gatun::Statistics& table = this->Internals->Statistics;
+  table.Clear();
+  table.Add("FetchSeconds", s.FetchTime);
+  table.Add("SimplifySeconds", s.SimplifyTime);
+  table.Add("OrderSeconds", s.OrderTime);
+  table.Add("SetUpSeconds", s.SetUpTime);
+  table.Add("DrawSeconds", s.DrawTime);
+  table.Add("FinishSeconds", s.FinishTime);
+  table.Add("DrawnChunks", s.Blocks);
+  table.Add("SkippedChunks", s.SkippedBlocks);
+  table.Add("DrawnTetrahedra", s.Tets);
+  table.Add("SeenTetrahedra", s.SeenTets);
+  table.Add("DrawnPoints", this->Internals->Points);
+  table.Add("MostWaitingTetrahedra", s.MostWaiting);
+  table.Add("MostFragments", s.MostFragments);
+  table.Add("MostBytes", s.MostBytes);
+  return table.Get();
 }
 
 //------------------------------------------------------------------------------
@@ -292,9 +295,8 @@ int vtkGatunRayCaster::RequestUpdateExtent(
 
 //------------------------------------------------------------------------------
 /** Draws the mesh, or a coarser one. */
-void vtkGatunRayCaster::vtkInternals::Draw(const vtkGatunRayCaster& self,
-  gatun::FrameRequest request, gatun::RayCaster& caster, const gatun::RayView& view,
-  const gatun::RaySource::Progress& progress)
+void vtkGatunRayCaster::vtkInternals::Draw(gatun::FrameRequest request, gatun::RayCaster& caster,
+  const gatun::RayView& view, const gatun::RaySource::Progress& progress)
 {
   gatun::LevelOfDetailCache* const levels = this->Scene.GetLevels();
   if (!levels)
@@ -303,10 +305,6 @@ void vtkGatunRayCaster::vtkInternals::Draw(const vtkGatunRayCaster& self,
     return;
   }
   levels->WaitForLevels(progress);
-  request.Budget = self.TimeBudget;
-  request.Ratio = self.SimplificationRatio;
-  request.Pixels = static_cast<double>(self.Size[0]) * self.Size[1];
-  request.Waits = true;
   const gatun::Frame frame = this->Frames.Begin(*levels, request, progress);
   const auto start = std::chrono::steady_clock::now();
   this->Scene.Draw(caster, view, progress, frame.Source.get());
@@ -325,7 +323,7 @@ int vtkGatunRayCaster::RequestData(
   image->Initialize();
   this->SetErrorCode(vtkErrorCode::NoError);
   auto& self = *this->Internals;
-  self.Statistics = {};
+  self.Counts = {};
   self.Points = 0;
   const gatun::PublishedFile* const file = gatun::GetUsableFile(inInfo);
   try
@@ -336,17 +334,20 @@ int vtkGatunRayCaster::RequestData(
         self.Camera ? "no property with colors is set" : "no camera is set");
     }
     gatun::RequireNumber("OpacityLimit", this->OpacityLimit);
-    gatun::RequireNumber("TimeBudget", this->TimeBudget);
-    gatun::RequireNumber("PixelError", this->PixelError);
+    const gatun::DetailSettings detail(self.Policy.Get());
     gatun::FrameRequest request;
+    request.Budget = detail.JustInTime ? detail.TimeBudget : 0;
+    request.Ratio = detail.Ratio;
+    request.Pixels = static_cast<double>(this->Size[0]) * this->Size[1];
+    request.Waits = true;
     const gatun::RayMode mode = *gatun::RayModeOf(this->BlendMode);
     const auto view = gatun::MakeRayView(
       self.Camera, gatun::RayGrid{ this->Size[0], this->Size[1] }, self.VolumeMatrix, false);
     const gatun::RayArray array{ this->ArrayName ? this->ArrayName : "", this->ArrayAssociation,
       this->ArrayComponent, {} };
-    const std::size_t merges = file ? file->Merges : 0;
+    request.Merges = file ? file->Merges : 0;
     const bool simplifies =
-      this->SimplificationRatio != 0 || merges > 0 || this->TimeBudget > 0 || this->PixelError > 0;
+      detail.Ratio > 0 || request.Merges > 0 || request.Budget > 0 || detail.PixelError > 0;
     if (file)
     {
       const auto step = gatun::GetRequestedStep(*file->File->GetFile(), inInfo);
@@ -375,12 +376,11 @@ int vtkGatunRayCaster::RequestData(
       gatun::MakeRayTable(self.Property, mode, self.Scene.GetRange(), view.SampleDistance);
     gatun::RayCaster caster(
       view, table, gatun::MakeRayLimits(view, self.ClippingPlanes, self.VolumeMatrix), settings);
-    request.Merges = merges;
-    if ((this->TimeBudget > 0 && this->ViewDependent) || this->PixelError > 0)
+    if ((request.Budget > 0 && detail.ViewDependent) || detail.PixelError > 0)
     {
-      request.View = gatun::MakeDetailView(this->PixelError, view, table);
+      request.View = gatun::MakeDetailView(detail.PixelError, view, table);
     }
-    self.Draw(*this, std::move(request), caster, view, progress);
+    self.Draw(std::move(request), caster, view, progress);
 
     image->SetDimensions(this->Size[0], this->Size[1], 1);
     vtkNew<vtkFloatArray> colors;
@@ -393,7 +393,7 @@ int vtkGatunRayCaster::RequestData(
     caster.Finish(colors->GetPointer(0), depths->GetPointer(0));
     image->GetPointData()->SetScalars(colors);
     image->GetPointData()->AddArray(depths);
-    self.Statistics = caster.GetStatistics();
+    self.Counts = caster.GetStatistics();
     return 1;
   }
   catch (...)
@@ -421,11 +421,9 @@ void vtkGatunRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ArrayAssociation: " << this->ArrayAssociation << "\n";
   os << indent << "ArrayComponent: " << this->ArrayComponent << "\n";
   os << indent << "OpacityLimit: " << this->OpacityLimit << "\n";
-  os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
-  os << indent << "TimeBudget: " << this->TimeBudget << "\n";
-  os << indent << "ViewDependent: " << (this->ViewDependent ? "On" : "Off") << "\n";
-  os << indent << "PixelError: " << this->PixelError << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
+  os << indent << "DetailPolicy:\n";
+  this->GetDetailPolicy()->PrintSelf(os, indent.GetNextIndent());
 }
 
 #ifdef VTK_ABI_NAMESPACE_END

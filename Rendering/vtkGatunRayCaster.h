@@ -46,7 +46,7 @@
  * data. IEEE Visualization 2000. P. Bunyk, A. Kaufman, C. Silva: Simple, fast and robust ray
  * casting of irregular grids. Dagstuhl 1997.
  *
- * @sa vtkGatunReader vtkGatunFileHandle vtkUnstructuredGridVolumeRayCastMapper
+ * @sa vtkGatunDetailPolicy vtkGatunReader vtkGatunFileHandle vtkUnstructuredGridVolumeRayCastMapper
  */
 
 #ifndef vtkGatunRayCaster_h
@@ -62,8 +62,10 @@ VTK_ABI_NAMESPACE_BEGIN
 #endif
 
 class vtkCamera;
+class vtkGatunDetailPolicy;
 class vtkMatrix4x4;
 class vtkPlaneCollection;
+class vtkTable;
 class vtkVolumeProperty;
 
 class VTKGATUNRENDERING_EXPORT vtkGatunRayCaster : public vtkImageAlgorithm
@@ -158,7 +160,8 @@ public:
 
   ///@{
   /**
-   * Component of the array to draw, from 0; -1 is the length of the tuple. Default: 0.
+   * Component of the array to draw, from 0. -1 is the length of the tuple, or the value of an array
+   * of one component. Default: -1.
    */
   vtkSetClampMacro(ArrayComponent, int, -1, VTK_INT_MAX);
   vtkGetMacro(ArrayComponent, int);
@@ -184,72 +187,41 @@ public:
 
   ///@{
   /**
-   * Fraction of points removed, from 0 (none) to 1 (as many as possible). Above 0, a file must have
-   * a hierarchy (vtkGatunWriter::Hierarchy). For a mesh in memory, the order of edge collapses is
-   * computed first (see vtkGatunSimplify) and kept for the next image. Default: 0.
+   * How far the mesh is simplified. For a mesh in memory, the order of edge collapses is computed
+   * first (see vtkGatunSimplify) and kept for the next image. With JustInTime, the number of points
+   * follows from the times of the images before. Null sets a new policy, which draws the whole
+   * mesh.
    */
-  vtkSetClampMacro(SimplificationRatio, double, 0.0, 1.0);
-  vtkGetMacro(SimplificationRatio, double);
-  ///@}
-
-  ///@{
-  /**
-   * Time for an image in seconds, 0 to 1e6, decoding and simplification not included. The number of
-   * points removed follows from the times of the images before, and where they are removed from the
-   * view, unless ViewDependent is off. 0 is no limit. Default: 0.
-   */
-  vtkSetClampMacro(TimeBudget, double, 0.0, 1e6);
-  vtkGetMacro(TimeBudget, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether a mesh that is simplified for a time is finer where the view needs it: near the
-   * eye, and where values are visible. Off: it is as coarse everywhere. Default: on.
-   */
-  vtkSetMacro(ViewDependent, bool);
-  vtkGetMacro(ViewDependent, bool);
-  vtkBooleanMacro(ViewDependent, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Largest error of all images in pixels, 0 to 1e6: the error of the shape and the values (see
-   * vtkGatunSimplify), relative to the size of the mesh and the range of the values, times the size
-   * of the mesh in pixels if it were as far away as the place in question. Points are merged as far
-   * as it allows. 0: none. Default: 0.
-   */
-  vtkSetClampMacro(PixelError, double, 0.0, 1e6);
-  vtkGetMacro(PixelError, double);
+  void SetDetailPolicy(vtkGatunDetailPolicy* policy);
+  vtkGatunDetailPolicy* GetDetailPolicy();
   ///@}
 
   /**
-   * Statistics of the last image. Times are in seconds, summed over all threads.
+   * Statistics of the last image, in the columns of a table of one row; zeros before the first
+   * image. Seconds are summed over all threads:
+   *
+   *  - FetchSeconds: conversion or decoding of chunks
+   *  - SimplifySeconds: of these, merging points of a file; not summed over threads
+   *  - OrderSeconds: projection and order of tetrahedra
+   *  - SetUpSeconds: planes of faces
+   *  - DrawSeconds: rays
+   *  - FinishSeconds: compositing of fragments
+   *  - DrawnChunks: chunks drawn
+   *  - SkippedChunks: chunks outside the view, transparent or hidden
+   *  - DrawnTetrahedra: tetrahedra in the chunks drawn
+   *  - SeenTetrahedra: of these, those that may be on a ray
+   *  - DrawnPoints: points of the simplified mesh; 0 if it is not simplified
+   *  - MostWaitingTetrahedra: largest number of tetrahedra of a chunk that wait for others
+   *  - MostFragments: largest number of ray fragments, in all pixels together
+   *  - MostBytes: peak memory of image and chunks, without MemoryBudget
+   *
+   * The next call returns another table.
    */
-  enum StatisticType
-  {
-    FetchTime = 0,          ///< conversion or decoding of chunks
-    OrderTime,              ///< projection and order of tetrahedra
-    SetUpTime,              ///< planes of faces
-    DrawTime,               ///< rays
-    FinishTime,             ///< compositing of fragments
-    NumberOfTetrahedra,     ///< in the chunks drawn
-    NumberOfSeenTetrahedra, ///< of these, those that may be on a ray
-    NumberOfChunks,         ///< chunks drawn
-    NumberOfSkippedChunks,  ///< chunks outside the view, transparent or hidden
-    MostWaitingTetrahedra,  ///< largest number of tetrahedra of a chunk that wait for others
-    MostFragments,          ///< largest number of ray fragments, in all pixels together
-    MostBytes,              ///< peak memory of image and chunks, without MemoryBudget
-    NumberOfPoints,         ///< of the simplified mesh; 0 if it is not simplified
-    SimplifyTime            ///< of FetchTime: merging points of a file; not summed over threads
-  };
+  vtkTable* GetStatistics();
 
   /**
-   * A statistic of the last image, one of StatisticType; 0 before the first image. Another number
-   * is an error.
+   * Includes the camera, the property, the matrix, the planes and the policy.
    */
-  double GetStatistic(int which);
-
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -269,13 +241,9 @@ protected:
   int Size[2] = { 512, 512 };
   char* ArrayName = nullptr;
   int ArrayAssociation = -1;
-  int ArrayComponent = 0;
+  int ArrayComponent = -1;
   double OpacityLimit = 0.001;
   int MemoryBudget = 512;
-  double SimplificationRatio = 0;
-  double TimeBudget = 0;
-  bool ViewDependent = true;
-  double PixelError = 0;
 
 private:
   vtkGatunRayCaster(const vtkGatunRayCaster&) = delete;

@@ -33,47 +33,28 @@ void vtkGatunSurfaceMapper::SetMemoryBudget(int mebibytes)
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunSurfaceMapper::SetJustInTime(bool on)
+void vtkGatunSurfaceMapper::SetDetailPolicy(vtkGatunDetailPolicy* policy)
 {
-  this->JustInTime = on;
+  this->Internals->Policy.Set(policy);
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunSurfaceMapper::SetTimeBudget(double seconds)
+vtkGatunDetailPolicy* vtkGatunSurfaceMapper::GetDetailPolicy()
 {
-  // Not a number becomes 0.
-  this->TimeBudget = seconds > 0 ? std::min(seconds, 1e6) : 0;
+  return this->Internals->Policy.Get();
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunSurfaceMapper::SetSimplificationRatio(double ratio)
+vtkTable* vtkGatunSurfaceMapper::GetStatistics()
 {
-  this->SimplificationRatio = ratio > 0 ? std::min(ratio, 1.0) : 0;
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunSurfaceMapper::SetViewDependent(bool on)
-{
-  this->ViewDependent = on;
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunSurfaceMapper::SetPixelError(double pixels)
-{
-  if (pixels >= 0)
-  {
-    this->PixelError = pixels;
-  }
-  else
-  {
-    vtkErrorMacro(<< "PixelError must be 0 or more; " << pixels << " is ignored");
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGatunSurfaceMapper::GetNumberOfDrawnPoints()
-{
-  return this->Internals->GetDrawnPoints();
+  auto& self = *this->Internals;
+  self.Statistics.Clear();
+  self.Statistics.Add("DrawnPoints", self.GetDrawnPoints());
+  self.Statistics.Add("DrawnChunks", self.Drawn);
+  self.Statistics.Add("CulledChunks", self.Culled);
+  self.Statistics.Add("DecodedChunks", self.Decoded);
+  self.Statistics.Add("BufferBytes", self.GetBytes());
+  return self.Statistics.Get();
 }
 
 //------------------------------------------------------------------------------
@@ -86,30 +67,6 @@ void vtkGatunSurfaceMapper::WaitForPreparation()
 bool vtkGatunSurfaceMapper::GetIsDrawingFile()
 {
   return this->Internals->IsDrawingFile();
-}
-
-//------------------------------------------------------------------------------
-vtkTypeUInt64 vtkGatunSurfaceMapper::GetBufferBytes()
-{
-  return this->Internals->GetBytes();
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGatunSurfaceMapper::GetNumberOfDrawnChunks()
-{
-  return this->Internals->Drawn;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGatunSurfaceMapper::GetNumberOfCulledChunks()
-{
-  return this->Internals->Culled;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGatunSurfaceMapper::GetNumberOfDecodedChunks()
-{
-  return this->Internals->Decoded;
 }
 
 //------------------------------------------------------------------------------
@@ -235,13 +192,9 @@ void vtkGatunSurfaceMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
-  os << indent << "JustInTime: " << (this->JustInTime ? "on" : "off") << "\n";
-  os << indent << "TimeBudget: " << this->TimeBudget << "\n";
-  os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
-  os << indent << "ViewDependent: " << (this->ViewDependent ? "on" : "off") << "\n";
-  os << indent << "PixelError: " << this->PixelError << "\n";
+  os << indent << "DetailPolicy:\n";
+  this->GetDetailPolicy()->PrintSelf(os, indent.GetNextIndent());
   os << indent << "IsDrawingFile: " << (this->GetIsDrawingFile() ? "true" : "false") << "\n";
-  os << indent << "BufferBytes: " << this->GetBufferBytes() << "\n";
 }
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -22,14 +22,14 @@
  * each image. Most buffers are kept without their meshes, so that a change of the mapper, the actor
  * or its property decodes chunks again.
  *
- * *Just in time.* If JustInTime is on, an image during an interaction takes about the time allowed
- * for it: the mapper draws the finest base mesh of the file that fits, or the surface itself. This
- * needs a file with a hierarchy (vtkGatunWriter::Hierarchy); without base meshes
- * (vtkGatunWriter::Levels), halves, quarters and so on of the points are made by merges, which
- * takes longer. A thread decodes the chunks of the level that the time allows, in the background.
- * Until they are there, and transferred to the graphics in the time that images leave, the finest
- * coarser level that is ready is drawn. The image at rest, for which more than 10 seconds are
- * allocated, shows the whole surface and is the same as without JustInTime.
+ * *Just in time.* If JustInTime of the DetailPolicy is on, an image during an interaction takes
+ * about the time allowed for it: the mapper draws the finest base mesh of the file that fits, or
+ * the surface itself. This needs a file with a hierarchy (vtkGatunWriter::Hierarchy); without base
+ * meshes (vtkGatunWriter::Levels), halves, quarters and so on of the points are made by merges,
+ * which takes longer. A thread decodes the chunks of the level that the time allows, in the
+ * background. Until they are there, and transferred to the graphics in the time that images leave,
+ * the finest coarser level that is ready is drawn. The image at rest, for which more than 10
+ * seconds are allocated, shows the whole surface and is the same as without JustInTime.
  *
  * *View-dependent.* With ViewDependent, the default, the surface is then simplified as far as the
  * view allows, with as many points as the time does: fine where the eye is near and at the
@@ -60,7 +60,7 @@
  * what was drawn before remains. vtkCommand::ProgressEvent reports the progress while chunks are
  * decoded.
  *
- * @sa vtkGatunSurfaceReader vtkGatunFileHandle vtkPolyDataMapper
+ * @sa vtkGatunDetailPolicy vtkGatunSurfaceReader vtkGatunFileHandle vtkPolyDataMapper
  */
 
 #ifndef vtkGatunSurfaceMapper_h
@@ -74,6 +74,9 @@
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
+
+class vtkGatunDetailPolicy;
+class vtkTable;
 
 class VTKGATUNRENDERING_EXPORT vtkGatunSurfaceMapper : public vtkOpenGLPolyDataMapper
 {
@@ -94,58 +97,15 @@ public:
 
   ///@{
   /**
-   * Whether the surface is simplified during an interaction so that a frame keeps to the time
-   * budget. No influence on surfaces in memory. A change does not modify the mapper, as with
-   * TimeBudget and SimplificationRatio. Default: off.
+   * How far surfaces of files are simplified; see above. Null sets a new policy, which draws the
+   * whole surface. If the reader simplifies the surface, too, the policy counts where it removes
+   * more. After a change of the ratio only those chunks are decoded and transferred again that
+   * change, unless another base mesh is used. If the base mesh that a PixelError needs does not fit
+   * into half of MemoryBudget, all of the surface is drawn. The policy and its changes do not
+   * modify the mapper, as buffers would be made again; they take effect with the next image.
    */
-  void SetJustInTime(bool on);
-  vtkGetMacro(JustInTime, bool);
-  vtkBooleanMacro(JustInTime, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Time for a frame during an interaction if JustInTime is on, in seconds, 0 to 1e6. 0 is the time
-   * allocated to the actor (see vtkRenderWindow::SetDesiredUpdateRate). Default: 0.
-   */
-  void SetTimeBudget(double seconds);
-  vtkGetMacro(TimeBudget, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether the surface is finer during an interaction where the view needs it, instead of
-   * everywhere alike. No influence without JustInTime. A change does not modify the mapper.
-   * Default: on.
-   */
-  void SetViewDependent(bool on);
-  vtkGetMacro(ViewDependent, bool);
-  vtkBooleanMacro(ViewDependent, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The largest error of the surface of a file in pixels, in all images: 0 or more. 0 draws all of
-   * the surface. The error is the estimate of the file (vtkGatunSimplify) at the distance of each
-   * place; it does not count outside of the view, counts less where the surface faces the eye, and
-   * not at all where it is turned away and hidden. During an interaction with JustInTime it may be
-   * larger. Above 0 the file must have a hierarchy. If the base mesh that is needed does not fit
-   * into half of MemoryBudget, all of the surface is drawn. Negative values and those that are not
-   * a number are an error and change nothing. A change does not modify the mapper. Default: 0.
-   */
-  void SetPixelError(double pixels);
-  vtkGetMacro(PixelError, double);
-  ///@}
-
-  ///@{
-  /**
-   * Fraction of the points of a file removed in all images, from 0 (none) to 1 (as many as
-   * possible), if the reader does not remove more. Above 0 the file must have a hierarchy. After a
-   * change only those chunks are decoded and transferred again that change, unless another base
-   * mesh is used. Default: 0.
-   */
-  void SetSimplificationRatio(double ratio);
-  vtkGetMacro(SimplificationRatio, double);
+  void SetDetailPolicy(vtkGatunDetailPolicy* policy);
+  vtkGatunDetailPolicy* GetDetailPolicy();
   ///@}
 
   ///@{
@@ -163,12 +123,6 @@ public:
   ///@}
 
   /**
-   * Number of points of the surface in the last image; 0 if it was not simplified or not drawn from
-   * a file.
-   */
-  vtkIdType GetNumberOfDrawnPoints();
-
-  /**
    * Waits until the background thread has decoded what was requested for the next images. Only for
    * measurements and tests.
    */
@@ -180,25 +134,21 @@ public:
   bool GetIsDrawingFile();
 
   /**
-   * Bytes that are kept for chunks now, estimated from the sizes of buffers and arrays. Not more
-   * than MemoryBudget after an image, except for a selection.
+   * Statistics in the columns of a table of one row. With translucency, each pass over the geometry
+   * counts as an image.
+   *
+   *  - DrawnPoints: points of the surface in the last image; 0 if it was not simplified or not
+   * drawn from a file.
+   *  - DrawnChunks: chunks drawn in the last image; 0 without a file.
+   *  - CulledChunks: chunks in the view that the last image skipped, as all their triangles are
+   *    culled.
+   *  - DecodedChunks: chunks that were decoded for this mapper since it exists.
+   *  - BufferBytes: bytes that are kept for chunks now, estimated from the sizes of buffers and
+   *    arrays. Not more than MemoryBudget after an image, except for a selection.
+   *
+   * The next call returns another table.
    */
-  vtkTypeUInt64 GetBufferBytes();
-
-  ///@{
-  /**
-   * Number of chunks that were drawn in the last image, and of those that were in the view but
-   * skipped as all their triangles are culled. 0 without a file. With translucency, each pass over
-   * the geometry counts as an image.
-   */
-  vtkIdType GetNumberOfDrawnChunks();
-  vtkIdType GetNumberOfCulledChunks();
-  ///@}
-
-  /**
-   * Number of chunks that were decoded for this mapper since it exists.
-   */
-  vtkIdType GetNumberOfDecodedChunks();
+  vtkTable* GetStatistics();
 
   ///@{
   /**
@@ -230,11 +180,6 @@ protected:
   ~vtkGatunSurfaceMapper() override;
 
   int MemoryBudget = 512;
-  bool JustInTime = false;
-  double TimeBudget = 0;
-  double SimplificationRatio = 0;
-  bool ViewDependent = true;
-  double PixelError = 0;
 
 private:
   vtkGatunSurfaceMapper(const vtkGatunSurfaceMapper&) = delete;

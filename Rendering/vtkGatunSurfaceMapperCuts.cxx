@@ -63,7 +63,7 @@ void vtkGatunSurfaceMapper::vtkInternals::ForgetCuts()
 //------------------------------------------------------------------------------
 bool vtkGatunSurfaceMapper::vtkInternals::HasCuts(const Image& image) const
 {
-  return image.Mapper->ViewDependent && !this->HasCutFailed &&
+  return image.Detail.ViewDependent && !this->HasCutFailed &&
     this->Source.File->GetFile()->HasMergeTree();
 }
 
@@ -101,7 +101,7 @@ std::optional<gatun::SurfaceCutOrder> vtkGatunSurfaceMapper::vtkInternals::MakeO
   view.IsOpaque = image.IsOpaque && property->GetOpacity() >= 1 &&
     property->GetRepresentation() == VTK_SURFACE && side >= 0 &&
     image.Mapper->GetNumberOfClippingPlanes() == 0;
-  view.PixelError = image.Mapper->PixelError;
+  view.PixelError = image.Detail.PixelError;
   return order;
 }
 
@@ -275,7 +275,7 @@ bool vtkGatunSurfaceMapper::vtkInternals::DrawCut(
     return false;
   }
   const auto begin = gatun::FrameClock::now();
-  const vtkIdType decodedBefore = this->Decoded;
+  const std::uint64_t decodedBefore = this->Decoded;
   const View view = this->FindVisible(image, this->Cut.Chunks);
   this->Present = this->Levels.size();
   this->DrawLevel(image, this->Cut.Chunks, view);

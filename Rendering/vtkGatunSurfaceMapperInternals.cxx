@@ -123,7 +123,7 @@ bool vtkGatunSurfaceMapper::vtkInternals::Open(vtkGatunSurfaceMapper* mapper, vt
     return false;
   }
   gatun::SurfaceContents what = FindContents(*file, mapper, actor);
-  const std::size_t merges = CountMerges(*file, mapper);
+  const std::size_t merges = CountMerges(*file, gatun::DetailSettings(this->Policy.Get()).Ratio);
   const bool isSame = !this->Levels.empty() && file->File == this->Source.File &&
     file->RestoreOrder == this->Source.RestoreOrder && what == this->What;
   if (!isSame)
@@ -146,17 +146,16 @@ bool vtkGatunSurfaceMapper::vtkInternals::Open(vtkGatunSurfaceMapper* mapper, vt
 
 //------------------------------------------------------------------------------
 std::size_t vtkGatunSurfaceMapper::vtkInternals::CountMerges(
-  const gatun::PublishedFile& file, vtkGatunSurfaceMapper* mapper)
+  const gatun::PublishedFile& file, double ratio)
 {
-  if (!(mapper->SimplificationRatio > 0))
+  if (ratio <= 0)
   {
     return file.Merges;
   }
   // Throws if there is no hierarchy.
   const gatun::FileReader& reader = *file.File->GetHierarchy().GetFile();
-  const std::size_t merges =
-    gatun::CountMerges({ gatun::SimplifyTarget::Ratio, mapper->SimplificationRatio },
-      reader.GetNumberOfPoints(), reader.GetNumberOfMerges(), {});
+  const std::size_t merges = gatun::CountMerges({ gatun::SimplifyTarget::Ratio, ratio },
+    reader.GetNumberOfPoints(), reader.GetNumberOfMerges(), {});
   return std::max(merges, file.Merges);
 }
 
@@ -194,14 +193,14 @@ void vtkGatunSurfaceMapper::vtkInternals::ChangeMerges(
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkGatunSurfaceMapper::vtkInternals::GetDrawnPoints() const
+std::uint64_t vtkGatunSurfaceMapper::vtkInternals::GetDrawnPoints() const
 {
   if (!this->Source.File || this->Levels.empty())
   {
     return 0;
   }
   const std::uint64_t points = this->Source.File->GetFile()->GetNumberOfPoints();
-  return this->Merges > 0 ? static_cast<vtkIdType>(points - this->Merges) : 0;
+  return this->Merges > 0 ? points - this->Merges : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -313,7 +312,7 @@ std::vector<gatun::SurfacePart> vtkGatunSurfaceMapper::vtkInternals::DecodeAll(
   gatun::ParallelFor(chunks.size(),
     [&](std::size_t i)
     { parts[i] = level.Mesh->Decode(chunks[i], withIds, [](double) { return true; }); });
-  this->Decoded += static_cast<vtkIdType>(chunks.size());
+  this->Decoded += chunks.size();
   return parts;
 }
 
@@ -401,10 +400,10 @@ void vtkGatunSurfaceMapper::vtkInternals::DrawChunk(
 
 //------------------------------------------------------------------------------
 vtkGatunSurfaceMapper::vtkInternals::Image vtkGatunSurfaceMapper::vtkInternals::MakeImage(
-  vtkGatunSurfaceMapper* mapper, vtkRenderer* renderer, vtkActor* actor)
+  vtkGatunSurfaceMapper* mapper, vtkRenderer* renderer, vtkActor* actor) const
 {
-  return { mapper, renderer, actor, gatun::SurfaceView(renderer, actor),
-    !actor->IsRenderingTranslucentPolygonalGeometry(),
+  return { mapper, renderer, actor, gatun::DetailSettings(this->Policy.Get()),
+    gatun::SurfaceView(renderer, actor), !actor->IsRenderingTranslucentPolygonalGeometry(),
     MiB * static_cast<std::uint64_t>(mapper->MemoryBudget) };
 }
 
@@ -437,16 +436,16 @@ void vtkGatunSurfaceMapper::vtkInternals::Draw(
     this->DrawInMotion(image, budget);
     return;
   }
-  if (mapper->PixelError > 0 && !this->IsSelecting && this->DrawPreciseCut(image))
+  if (image.Detail.PixelError > 0 && !this->IsSelecting && this->DrawPreciseCut(image))
   {
     return;
   }
   const auto begin = std::chrono::steady_clock::now();
-  const vtkIdType decodedBefore = this->Decoded;
+  const std::uint64_t decodedBefore = this->Decoded;
   const View view = this->FindVisible(image, this->Levels.front());
   this->Present = 0;
   this->DrawLevel(image, this->Levels.front(), view);
-  if (mapper->JustInTime && !this->IsSelecting && !window->GetAbortRender())
+  if (image.Detail.JustInTime && !this->IsSelecting && !window->GetAbortRender())
   {
     window->WaitForCompletion();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
@@ -465,7 +464,7 @@ void vtkGatunSurfaceMapper::vtkInternals::DrawLevel(
   {
     level.Chunks[chunk].Frame = this->Frame;
   }
-  const vtkIdType decodedBefore = this->Decoded;
+  const std::uint64_t decodedBefore = this->Decoded;
   std::map<std::uint32_t, Part> parts; // decoded and not yet drawn
   for (std::size_t i = 0; i < visible.size(); ++i)
   {

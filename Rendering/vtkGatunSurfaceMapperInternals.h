@@ -4,7 +4,9 @@
 #ifndef vtkGatunSurfaceMapperInternals_h
 #define vtkGatunSurfaceMapperInternals_h
 
+#include "gatunDetailSettings.h"
 #include "gatunPublishedFile.h"
+#include "gatunStatistics.h"
 #include "gatunSurfaceCutter.h"
 #include "gatunSurfaceLevel.h"
 #include "gatunSurfacePreparer.h"
@@ -48,9 +50,11 @@ public:
 
   std::set<std::string> Reported; ///< messages since the last image without an error
   std::exception_ptr Failure;     ///< the first one of the last image
-  vtkIdType Drawn = 0;
-  vtkIdType Culled = 0;
-  vtkIdType Decoded = 0;
+  std::uint64_t Drawn = 0;
+  std::uint64_t Culled = 0;
+  std::uint64_t Decoded = 0;
+  gatun::DetailPolicyOwner Policy;
+  gatun::Statistics Statistics;
 
   ~vtkInternals();
 
@@ -83,7 +87,7 @@ public:
   void Wait();
 
   /** Points of the last image; 0 if it was not simplified. */
-  vtkIdType GetDrawnPoints() const;
+  std::uint64_t GetDrawnPoints() const;
 
 private:
   struct Chunk
@@ -114,7 +118,7 @@ private:
   {
     std::vector<std::uint32_t> Chunks;
     std::uint64_t Cells = 0; // of these
-    vtkIdType Culled = 0;
+    std::uint64_t Culled = 0;
   };
 
   /** An image. */
@@ -123,6 +127,7 @@ private:
     vtkGatunSurfaceMapper* Mapper;
     vtkRenderer* Renderer;
     vtkActor* Actor;
+    gatun::DetailSettings Detail;
     gatun::SurfaceView Camera;
     bool IsOpaque;
     std::uint64_t MemoryLimit; // for buffers, in bytes
@@ -132,8 +137,8 @@ private:
 
   static gatun::SurfaceContents FindContents(
     const gatun::PublishedFile& file, vtkGatunSurfaceMapper* mapper, vtkActor* actor);
-  static std::size_t CountMerges(const gatun::PublishedFile& file, vtkGatunSurfaceMapper* mapper);
-  static Image MakeImage(vtkGatunSurfaceMapper* mapper, vtkRenderer* renderer, vtkActor* actor);
+  static std::size_t CountMerges(const gatun::PublishedFile& file, double ratio);
+  Image MakeImage(vtkGatunSurfaceMapper* mapper, vtkRenderer* renderer, vtkActor* actor) const;
   static double GetBudget(const Image& image);
   void Forget();
   template <typename Use>

@@ -45,11 +45,11 @@ double vtkGatunSurfaceMapper::vtkInternals::GetBudget(const Image& image)
   // An actor within another one, as in ParaView, is allocated nothing.
   const double allocated =
     std::min(image.Actor->GetAllocatedRenderTime(), image.Renderer->GetAllocatedRenderTime());
-  if (!image.Mapper->JustInTime || !(allocated > 0 && allocated < gatun::LeastTimeAtRest))
+  if (!image.Detail.JustInTime || !(allocated > 0 && allocated < gatun::LeastTimeAtRest))
   {
     return 0;
   }
-  return image.Mapper->TimeBudget > 0 ? image.Mapper->TimeBudget : allocated;
+  return image.Detail.TimeBudget > 0 ? image.Detail.TimeBudget : allocated;
 }
 
 //------------------------------------------------------------------------------
@@ -235,7 +235,7 @@ void vtkGatunSurfaceMapper::vtkInternals::DrawTimed(
   const Image& image, std::size_t shown, const View& view)
 {
   const auto begin = gatun::FrameClock::now();
-  const vtkIdType decodedBefore = this->Decoded;
+  const std::uint64_t decodedBefore = this->Decoded;
   this->Present = shown;
   this->DrawLevel(image, this->Levels[shown], view);
   image.Renderer->GetRenderWindow()->WaitForCompletion();
@@ -276,12 +276,12 @@ vtkGatunSurfaceMapper::vtkInternals::LevelChoice vtkGatunSurfaceMapper::vtkInter
 {
   // VTK allocates the time later, and all of a window's to the renderers of an image.
   const double rate = renderer->GetRenderWindow()->GetDesiredUpdateRate();
-  if (!mapper->JustInTime || !(rate > 1 / gatun::LeastTimeAtRest))
+  const Image image = this->MakeImage(mapper, renderer, actor);
+  if (!image.Detail.JustInTime || !(rate > 1 / gatun::LeastTimeAtRest))
   {
     return {};
   }
-  const Image image = MakeImage(mapper, renderer, actor);
-  this->MotionBudget = mapper->TimeBudget > 0 ? mapper->TimeBudget : 1 / rate;
+  this->MotionBudget = image.Detail.TimeBudget > 0 ? image.Detail.TimeBudget : 1 / rate;
   this->FindLevels();
   const std::vector<View> views = this->FindAllVisible(image);
   const std::size_t wanted =

@@ -90,9 +90,36 @@ void vtkGatunVolumeMapper::ReduceBounds()
 }
 
 //------------------------------------------------------------------------------
-vtkTypeUInt64 vtkGatunVolumeMapper::GetBytesSent()
+vtkTable* vtkGatunVolumeMapper::GetStatistics()
 {
-  return this->Internals->BytesSent;
+  auto& self = *this->Internals;
+  self.Statistics.Clear();
+  self.Statistics.Add("BytesRead", self.Scene.GetBytesRead());
+  self.Statistics.Add("BytesSent", self.BytesSent);
+  self.Statistics.Add("DrawnPoints", self.Points);
+  self.Statistics.Add("RedrawnFraction", self.PartDrawn);
+  return self.Statistics.Get();
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeMapper::SetDetailPolicy(vtkGatunDetailPolicy* policy)
+{
+  if (this->Internals->Policy.Set(policy))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkGatunDetailPolicy* vtkGatunVolumeMapper::GetDetailPolicy()
+{
+  return this->Internals->Policy.Get();
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkGatunVolumeMapper::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->GetDetailPolicy()->GetMTime());
 }
 
 //------------------------------------------------------------------------------
@@ -107,24 +134,6 @@ void vtkGatunVolumeMapper::SetBlendMode(int mode)
     this->BlendMode = mode;
     this->Modified();
   }
-}
-
-//------------------------------------------------------------------------------
-vtkTypeUInt64 vtkGatunVolumeMapper::GetBytesRead()
-{
-  return this->Internals->Scene.GetBytesRead();
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkGatunVolumeMapper::GetNumberOfDrawnPoints()
-{
-  return static_cast<vtkIdType>(this->Internals->Points);
-}
-
-//------------------------------------------------------------------------------
-double vtkGatunVolumeMapper::GetRedrawnFraction()
-{
-  return this->Internals->PartDrawn;
 }
 
 //------------------------------------------------------------------------------
@@ -303,11 +312,8 @@ void vtkGatunVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpacityLimit: " << this->OpacityLimit << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
   os << indent << "NumberOfPieces: " << this->NumberOfPieces << "\n";
-  os << indent << "JustInTime: " << tell(this->JustInTime) << "\n";
-  os << indent << "TimeBudget: " << this->TimeBudget << "\n";
-  os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
-  os << indent << "ViewDependent: " << (this->ViewDependent ? "On" : "Off") << "\n";
-  os << indent << "PixelError: " << this->PixelError << "\n";
+  os << indent << "DetailPolicy:\n";
+  this->GetDetailPolicy()->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "ImageProcess: " << this->ImageProcess << "\n";
 }

@@ -34,17 +34,18 @@
  * and no attenuation. The gradient is constant in each tetrahedron, so coarse meshes look faceted.
  * Cell values have no gradient and are not shaded. Only the blend mode composite shades.
  *
- * *Just in time.* If JustInTime is on, a frame during an interaction takes about the time allowed
- * for it. Points are merged into others, as in vtkGatunSimplify, until tetrahedra take a quarter of
- * that time. If that does not suffice and AutoAdjustSampleDistances is on, rays are cast farther
- * apart. Where points are merged follows the view, unless ViewDependent is off: the mesh stays fine
- * near the eye, and gets coarse where it is far away, out of sight or transparent. The image at
- * rest, for which more than 10 seconds are allocated, shows the whole mesh. For a mesh in memory, a
- * background thread computes the order of merges from the first image on, in about 2 to 3 seconds
- * for a million tetrahedra, and again when the input changes. Until then only the number of rays is
- * reduced. This takes a copy of the mesh, about 60 bytes a tetrahedron in all, in addition to
- * MemoryBudget. The background thread also prepares the levels of detail that are likely to be
- * needed next and finally the whole mesh. Pieces cannot be simplified.
+ * *Just in time.* If JustInTime of the DetailPolicy is on, a frame during an interaction takes
+ * about the time allowed for it. Points are merged into others, as in vtkGatunSimplify, until
+ * tetrahedra take a quarter of that time. If that does not suffice and AutoAdjustSampleDistances is
+ * on, rays are cast farther apart. Where points are merged follows the view, unless ViewDependent
+ * is off: the mesh stays fine near the eye, and gets coarse where it is far away, out of sight or
+ * transparent. The image at rest, for which more than 10 seconds are allocated, shows the whole
+ * mesh. For a mesh in memory, a background thread computes the order of merges from the first image
+ * on, in about 2 to 3 seconds for a million tetrahedra, and again when the input changes. Until
+ * then only the number of rays is reduced. This takes a copy of the mesh, about 60 bytes a
+ * tetrahedron in all, in addition to MemoryBudget. The background thread also prepares the levels
+ * of detail that are likely to be needed next and finally the whole mesh. Pieces cannot be
+ * simplified.
  *
  * *Several processes.* With a Controller, each process has a part of the cells: any part, which
  * need not be compact, or none. The processes exchange the segments of rays that their cells make
@@ -65,7 +66,8 @@
  *
  * A program needs VTK::RenderingVolumeOpenGL2, as for other volume mappers.
  *
- * @sa vtkGatunRayCaster vtkGatunReader vtkGatunFileHandle vtkUnstructuredGridVolumeRayCastMapper
+ * @sa vtkGatunDetailPolicy vtkGatunRayCaster vtkGatunReader vtkGatunFileHandle
+ * vtkUnstructuredGridVolumeRayCastMapper
  */
 
 #ifndef vtkGatunVolumeMapper_h
@@ -80,7 +82,9 @@
 VTK_ABI_NAMESPACE_BEGIN
 #endif
 
+class vtkGatunDetailPolicy;
 class vtkMultiProcessController;
+class vtkTable;
 
 class VTKGATUNRENDERING_EXPORT vtkGatunVolumeMapper : public vtkUnstructuredGridVolumeMapper
 {
@@ -150,7 +154,8 @@ public:
 
   ///@{
   /**
-   * Component of the array to draw, from 0; -1 is the length of the tuple. Default: 0.
+   * Component of the array to draw, from 0. -1 is the length of the tuple, or the value of an array
+   * of one component. Default: -1.
    */
   vtkSetClampMacro(ArrayComponent, int, -1, VTK_INT_MAX);
   vtkGetMacro(ArrayComponent, int);
@@ -185,54 +190,13 @@ public:
 
   ///@{
   /**
-   * Whether coarser meshes keep frames during an interaction within their time; see above. Default:
-   * off.
+   * How far the mesh is simplified; see above. Its changes modify the mapper. Null sets a new
+   * policy, which draws the whole mesh. With a ratio or an error, the first image of a mesh in
+   * memory waits for the order of edge collapses. If only the ratio has changed since the last
+   * image and JustInTime is off, only those squares of 32 by 32 pixels are drawn again that change.
    */
-  vtkSetMacro(JustInTime, bool);
-  vtkGetMacro(JustInTime, bool);
-  vtkBooleanMacro(JustInTime, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Time for a frame during an interaction if JustInTime is on, in seconds, 0 to 1e6. 0 is the time
-   * allocated to the volume (see vtkRenderWindow::SetDesiredUpdateRate). Default: 0.
-   */
-  vtkSetClampMacro(TimeBudget, double, 0.0, 1e6);
-  vtkGetMacro(TimeBudget, double);
-  ///@}
-
-  ///@{
-  /**
-   * Fraction of points removed in all images, from 0 (none) to 1 (as many as possible). The first
-   * image waits for the order of edge collapses. If only the ratio has changed since the last image
-   * and JustInTime is off, only those squares of 32 by 32 pixels are drawn again that change.
-   * Default: 0.
-   */
-  vtkSetClampMacro(SimplificationRatio, double, 0.0, 1.0);
-  vtkGetMacro(SimplificationRatio, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether a mesh that is simplified for a time, as during an interaction, is finer where the view
-   * needs it: near the eye, and where values are visible. Off: it is as coarse everywhere. Default:
-   * on.
-   */
-  vtkSetMacro(ViewDependent, bool);
-  vtkGetMacro(ViewDependent, bool);
-  vtkBooleanMacro(ViewDependent, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Largest error of all images in pixels, 0 to 1e6: the error of the shape and the values (see
-   * vtkGatunSimplify), relative to the size of the mesh and the range of the values, times the size
-   * of the mesh in pixels if it were as far away as the place in question. Points are merged as far
-   * as it allows. 0: none. Default: 0.
-   */
-  vtkSetClampMacro(PixelError, double, 0.0, 1e6);
-  vtkGetMacro(PixelError, double);
+  void SetDetailPolicy(vtkGatunDetailPolicy* policy);
+  vtkGatunDetailPolicy* GetDetailPolicy();
   ///@}
 
   ///@{
@@ -262,33 +226,29 @@ public:
   void ReduceBounds();
 
   /**
-   * Bytes that all processes together have sent to each other for the last image; 0 for one
-   * process.
+   * Statistics of the last image, in the columns of a table of one row:
+   *
+   *  - BytesRead: bytes that have been read from the file that the mapper draws since it was
+   * opened, by the mapper and by all other consumers of its reader; 0 if it draws none.
+   *  - BytesSent: bytes that all processes together have sent to each other; 0 for one process.
+   *  - DrawnPoints: points of the mesh; 0 if they are unknown, as without simplification.
+   *  - RedrawnFraction: the part of the image that was drawn again, 0 to 1; see SetDetailPolicy.
+   *
+   * The next call returns another table.
    */
-  vtkTypeUInt64 GetBytesSent();
-
-  /**
-   * Number of points of the mesh in the last image; 0 if it is unknown, as without simplification.
-   */
-  vtkIdType GetNumberOfDrawnPoints();
-
-  /**
-   * Fraction of the last image that was redrawn, 0 to 1; see SimplificationRatio.
-   */
-  double GetRedrawnFraction();
+  vtkTable* GetStatistics();
 
   /**
    * Computes the order of merges for the input now instead of in the background, and waits for it.
-   * Returns false if the input cannot be simplified, or if JustInTime is off and
-   * SimplificationRatio is 0. AbortExecute ends the wait.
+   * Returns false if the input cannot be simplified, or if the policy does not simplify it.
+   * AbortExecute ends the wait.
    */
   bool PrepareSimplification();
 
   /**
-   * Bytes that have been read from the file that the mapper draws since it was opened, by the
-   * mapper and by all other consumers of its reader. 0 if it draws none.
+   * Includes the policy.
    */
-  vtkTypeUInt64 GetBytesRead();
+  vtkMTimeType GetMTime() override;
 
   ///@{
   /**
@@ -335,15 +295,10 @@ protected:
   float MinimumImageSampleDistance = 1;
   float MaximumImageSampleDistance = 10;
   bool IntermixIntersectingGeometry = true;
-  int ArrayComponent = 0;
+  int ArrayComponent = -1;
   double OpacityLimit = 0.001;
   int MemoryBudget = 512;
   int NumberOfPieces = 1;
-  bool JustInTime = false;
-  double TimeBudget = 0;
-  double SimplificationRatio = 0;
-  bool ViewDependent = true;
-  double PixelError = 0;
   vtkMultiProcessController* Controller = nullptr;
   int ImageProcess = -1;
 

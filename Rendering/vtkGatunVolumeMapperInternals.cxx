@@ -164,7 +164,8 @@ bool vtkGatunVolumeMapper::vtkInternals::Simplifies(vtkGatunVolumeMapper* mapper
   {
     return false; // parts that are simplified separately do not fit together
   }
-  return mapper->JustInTime || mapper->SimplificationRatio != 0 || mapper->PixelError > 0 ||
+  const gatun::DetailSettings detail(this->Policy.Get());
+  return detail.JustInTime || detail.Ratio > 0 || detail.PixelError > 0 ||
     (file && file->Merges > 0);
 }
 
@@ -261,7 +262,7 @@ std::shared_ptr<const gatun::DetailView> vtkGatunVolumeMapper::vtkInternals::Mak
   const gatun::RayMode mode = *gatun::RayModeOf(mapper->BlendMode);
   const auto view = gatun::MakeRayView(
     renderer->GetActiveCamera(), gatun::MakeGrid(renderer, Viewport(renderer), 1), matrix, true);
-  return gatun::MakeDetailView(mapper->PixelError, view,
+  return gatun::MakeDetailView(this->Policy.Get()->GetPixelError(), view,
     gatun::MakeRayTable(volume->GetProperty(), mode, this->Scene.GetRange(), view.SampleDistance));
 }
 
@@ -270,16 +271,17 @@ gatun::FrameRequest vtkGatunVolumeMapper::vtkInternals::GetRequest(
   vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
   const Viewport viewport(renderer);
+  const gatun::DetailSettings detail(this->Policy.Get());
   gatun::FrameRequest request;
   const double allocated = volume->GetAllocatedRenderTime();
-  if (mapper->JustInTime && allocated > 0 && allocated < gatun::LeastTimeAtRest)
+  if (detail.JustInTime && allocated > 0 && allocated < gatun::LeastTimeAtRest)
   {
-    request.Budget = mapper->TimeBudget > 0 ? mapper->TimeBudget : allocated;
+    request.Budget = detail.TimeBudget > 0 ? detail.TimeBudget : allocated;
   }
   const gatun::PublishedFile* const file = this->FindFile(mapper);
-  request.Ratio = mapper->SimplificationRatio;
+  request.Ratio = detail.Ratio;
   request.Merges = file ? file->Merges : 0;
-  if ((request.Budget > 0 && mapper->ViewDependent) || mapper->PixelError > 0)
+  if ((request.Budget > 0 && detail.ViewDependent) || detail.PixelError > 0)
   {
     request.View = this->MakeDetailView(mapper, renderer, volume);
   }
@@ -345,7 +347,7 @@ gatun::RayStatistics vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapp
     gatun::LimitByZBuffer(
       view, camera, grid, zBuffer, viewport.Width, viewport.Height, setup.Limits);
   }
-  if (frame.Source && !mapper->JustInTime)
+  if (frame.Source && !this->Policy.Get()->GetJustInTime())
   {
     // The user may be looking for the best ratio.
     setup.Settings.Repeatable = true;
@@ -386,8 +388,6 @@ void vtkGatunVolumeMapper::vtkInternals::RequireNumbers(vtkGatunVolumeMapper* ma
   gatun::RequireNumber("MinimumImageSampleDistance", mapper->MinimumImageSampleDistance);
   gatun::RequireNumber("MaximumImageSampleDistance", mapper->MaximumImageSampleDistance);
   gatun::RequireNumber("OpacityLimit", mapper->OpacityLimit);
-  gatun::RequireNumber("TimeBudget", mapper->TimeBudget);
-  gatun::RequireNumber("PixelError", mapper->PixelError);
 }
 
 //------------------------------------------------------------------------------
@@ -442,7 +442,7 @@ void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
   mapper->TimeToDraw = mapper->Timer->GetElapsedTime();
   this->TimeOfRays[key] = mapper->TimeToDraw / rays;
   this->Points = frame.Points;
-  if (frames && mapper->JustInTime)
+  if (frames && this->Policy.Get()->GetJustInTime())
   {
     frames->End(*levels, frame, rays, statistics, { cast, mapper->TimeToDraw });
   }

@@ -4,6 +4,7 @@
 #ifndef vtkGatunVolumeMapperInternals_h
 #define vtkGatunVolumeMapperInternals_h
 
+#include "gatunDetailSettings.h"
 #include "gatunErrorCodes.h"
 #include "gatunJustInTime.h"
 #include "gatunRayCaster.h"
@@ -11,6 +12,7 @@
 #include "gatunRayRefresh.h"
 #include "gatunRayRendering.h"
 #include "gatunRayScene.h"
+#include "gatunStatistics.h"
 #include "vtkGatunVolumeMapper.h"
 
 #include <array>
@@ -130,6 +132,8 @@ struct ImageSetup
 class vtkGatunVolumeMapper::vtkInternals
 {
 public:
+  gatun::DetailPolicyOwner Policy;
+  gatun::Statistics Statistics;
   gatun::RayScene Scene;
   gatun::RayImage Image;
   std::set<std::string> Reported; // causes of failures that were reported since the last image

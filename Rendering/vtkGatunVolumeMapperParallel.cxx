@@ -365,7 +365,7 @@ void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
   mapper->Timer->StopTimer();
   mapper->TimeToDraw = mapper->Timer->GetElapsedTime();
   const double rays = static_cast<double>(plan.Grid.Width) * plan.Grid.Height;
-  if (levels && isFirst && mapper->JustInTime)
+  if (levels && isFirst && this->Policy.Get()->GetJustInTime())
   {
     auto statistics = caster->GetStatistics();
     statistics.Tets *= facts.size(); // about those of all

@@ -23,7 +23,9 @@ contour.ComputeNormalsOn()
 contour.Update()
 surface = contour.GetOutput()
 print(f"{surface.GetNumberOfCells()} triangles")
-print(f"{contour.GetNumberOfChunksUsed()} of {contour.GetNumberOfChunks()} chunks read")
+statistics = contour.GetStatistics()
+used, chunks = (statistics.GetColumnByName(name).GetValue(0) for name in ("UsedChunks", "Chunks"))
+print(f"{used} of {chunks} chunks read")
 
 # Colors show the height of the knot.
 height = vtkElevationFilter()

@@ -52,7 +52,7 @@ def _draw_mesh(scene, size, camera, transfer, blend, ratio):
     caster.SetArrayName(scene.array)
     caster.SetArrayAssociation(scene.association)
     caster.SetArrayComponent(scene.component)
-    set_property(caster, "ratio", "SimplificationRatio", ratio)
+    set_property(caster.GetDetailPolicy(), "ratio", "SimplificationRatio", ratio)
     # There is no next image for which anything could be kept.
     caster.SetMemoryBudget(0)
     scene.connect(caster)
@@ -101,7 +101,7 @@ def _make_actor(scene, transfer, ratio):
 
     mapper = get_class("vtkGatunSurfaceMapper")()
     scene.connect(mapper)
-    set_property(mapper, "ratio", "SimplificationRatio", ratio)
+    set_property(mapper.GetDetailPolicy(), "ratio", "SimplificationRatio", ratio)
     mapper.SetScalarVisibility(scene.array is not None)
     if scene.array is not None:
         colors = transfer.GetRGBTransferFunction()

@@ -298,7 +298,8 @@ contour.SetArrayComponent(-5)
 assert contour.GetArrayComponent() == -1
 contour.SetOutputPointsPrecision(7)
 assert contour.GetOutputPointsPrecision() == vtkGatunContour.DEFAULT_PRECISION
-assert contour.GetNumberOfChunks() == contour.GetNumberOfChunksUsed() == contour.GetBytesRead() == 0
+for name in "Chunks", "UsedChunks", "UsedTetrahedra", "BytesRead":
+    assert gm.statistic(contour, name) == 0, name
 contour.SetValue(2, 7.25)
 text = str(contour)
 for name in ("Values:", "7.25", "ArrayComponent: -1", "ComputeNormals: Off", "ComputeScalars: On",

@@ -50,9 +50,9 @@ for kind, options in gc.kinds_of_files("wave").items():
     contour.Update()
     assert gc.assert_same(contour.GetOutput(), gc.reference(whole, 0.4, "wave")) > 1000
     assert gm.statistic(reader, "DecodedChunks") == 0 and reader.GetOutput().GetNumberOfCells() == 0
-    assert contour.GetNumberOfChunks() == chunks
-    used, few = contour.GetNumberOfChunksUsed(), contour.GetBytesRead()
-    assert 0 < used < chunks and 0 < contour.GetNumberOfTetrahedraUsed() <= 500 * used
+    assert gm.statistic(contour, "Chunks") == chunks
+    used, few = gm.statistic(contour, "UsedChunks"), gm.statistic(contour, "BytesRead")
+    assert 0 < used < chunks and 0 < gm.statistic(contour, "UsedTetrahedra") <= 500 * used
     everything = gc.open_file(path)
     everything.Update()
     assert few < everything.GetBytesRead()
@@ -65,23 +65,23 @@ for kind, options in gc.kinds_of_files("wave").items():
     # Other values read what they need more, the same ones nothing.
     contour.SetValue(0, 0.41)
     contour.Update()
-    more = contour.GetBytesRead()
+    more = gm.statistic(contour, "BytesRead")
     assert few <= more < everything.GetBytesRead()
     contour.SetValue(0, 0.4)
     contour.Update()
-    assert contour.GetBytesRead() == more and contour.GetNumberOfChunksUsed() == used
+    assert gm.statistic(contour, "BytesRead") == more and gm.statistic(contour, "UsedChunks") == used
     low, high = whole.GetPointData().GetArray("wave").GetRange()
     contour.SetValue(0, low)
     contour.Update()
     assert contour.GetOutput().GetNumberOfCells() == 0 and contour.GetErrorCode() == 0
-    assert contour.GetNumberOfChunksUsed() == contour.GetNumberOfTetrahedraUsed() == 0
+    assert gm.statistic(contour, "UsedChunks") == gm.statistic(contour, "UsedTetrahedra") == 0
     contour.SetValue(0, high + 1)
     contour.Update()
-    assert contour.GetNumberOfChunksUsed() == 0 and contour.GetBytesRead() == more
+    assert gm.statistic(contour, "UsedChunks") == 0 and gm.statistic(contour, "BytesRead") == more
     reader.SetMemoryBudget(0)  # for both, and at once
     contour.SetValue(0, 0.4)
     contour.Update()
-    assert contour.GetBytesRead() > more
+    assert gm.statistic(contour, "BytesRead") > more
     gc.assert_same(contour.GetOutput(), gc.reference(whole, 0.4, "wave"))
 
     # The output of the reader stays as it is, and is not decoded again. The whole mesh is not kept
@@ -183,21 +183,21 @@ for kind, options in gc.kinds_of_files("wave").items():
         assert 0 < mesh.GetNumberOfCells() < len(tets)
         assert gc.assert_same(contour.GetOutput(), gc.reference(mesh, [0.15, 0.5], "wave")) > 300
         assert reader.GetOutput().GetNumberOfCells() == mesh.GetNumberOfCells()
-        assert contour.GetNumberOfChunks() == contour.GetNumberOfChunksUsed() == 0
-        assert contour.GetBytesRead() == 0
+        assert gm.statistic(contour, "Chunks") == gm.statistic(contour, "UsedChunks") == 0
+        assert gm.statistic(contour, "BytesRead") == 0
         # Without it, the file again.
         reader.SetBox(1, -1, 1, -1, 1, -1)
         reader.SetValueRangeArray(None)
         contour.Update()
         gc.assert_same(contour.GetOutput(), gc.reference(whole, [0.15, 0.5], "wave"))
-        assert contour.GetNumberOfChunks() == chunks and contour.GetNumberOfChunksUsed() > 0
+        assert gm.statistic(contour, "Chunks") == chunks and gm.statistic(contour, "UsedChunks") > 0
         # And with it, in pieces, which are those of the reader; nothing is told of the file.
         gm.set_options(reader, **limits)
         count = 0
         for piece in range(3):
             contour.UpdatePiece(piece, 3, 0)
             count += contour.GetOutput().GetNumberOfCells()
-            assert contour.GetNumberOfChunksUsed() == contour.GetNumberOfTetrahedraUsed() == 0
+            assert gm.statistic(contour, "UsedChunks") == gm.statistic(contour, "UsedTetrahedra") == 0
         assert count == gc.reference(mesh, [0.15, 0.5], "wave").GetNumberOfCells()
 
     # Arrays that the reader would leave out are not carried.
@@ -276,7 +276,7 @@ for kind, options in gc.kinds_of_files("wave").items():
         assert found == expected and gm.statistic(reader, "DecodedChunks") == 0
         contour = gc.make_contour(gc.open_file(simple, SimplificationRatio=0.9), 0.4, "wave")
         contour.Update()
-        simple_bytes.append(contour.GetBytesRead())
+        simple_bytes.append(gm.statistic(contour, "BytesRead"))
     assert simple_bytes[1] < 0.8 * simple_bytes[0], simple_bytes  # base meshes save some
 
     # Time steps: that which is asked for, or the last one before.

@@ -157,8 +157,7 @@ class View:
     def add_volume(self, source, shade=False, prop=None, **options):
         mapper = vtkGatunVolumeMapper()
         connect(mapper, source)
-        for name, value in options.items():
-            getattr(mapper, "Set" + name)(value)
+        gm.set_options(mapper, **options)
         volume = vtkVolume()
         volume.SetMapper(mapper)
         volume.SetProperty(prop or volume_property())

@@ -40,6 +40,8 @@ OWN_DEFAULT = {"GatunReaderCore.LargeMesh": [-1], "GatunSurfaceReaderCore.LargeM
                "GatunSurfaceReaderCore.PrefetchTimeSteps": [0],
                "GatunWriter.LayerArray": ["none"],
                "GatunContour.ComputeNormals": [0],
+               "GatunVolumeDetailPolicy.JustInTime": [0], "GatunVolumeDetailPolicy.TimeBudget": [0],
+               "GatunSurfaceDetailPolicy.JustInTime": [0], "GatunSurfaceDetailPolicy.TimeBudget": [0],
                "GatunContour.ArrayComponent": [-1]}
 # Commands of ParaView's own classes, which have no Get.
 OF_PARAVIEW = {"SetVisibility", "SetForceUseCache", "SetForcedCacheKey", "SetScalarOpacityUnitDistance",
@@ -152,7 +154,7 @@ assert not problems, "\n" + "\n".join(problems)
 assert checked >= 20, checked
 assert {proxy.get("class") for _, proxy in proxies} >= \
     {"vtkGatunReader", "vtkGatunSurfaceReader", "vtkGatunPVWriter", "vtkGatunPVMergeBlocks", "vtkGatunVolumeRepresentation",
-     "vtkGatunSurfaceRepresentation", "vtkGatunHartleyRepresentation",
+     "vtkGatunSurfaceRepresentation", "vtkGatunDetailPolicy", "vtkGatunHartleyRepresentation",
      "vtkGatunHartleyEncoder", "vtkGatunHartleyReader", "vtkGatunHartleyWriter",
      "vtkGatunPVProjection", "vtkGatunSplitBlocks"}
 
@@ -174,6 +176,6 @@ for node in core:
 shown = simple.Show(reader, simple.CreateRenderView())
 representation = next(proxy for _, proxy in proxies
                       if proxy.get("name") == "GatunVolumeRepresentation")
-for node in representation:
+for node in representation.iter():
     if node.tag.endswith("Property"):
         assert shown.GetProperty(node.get("name")) is not None, node.get("name")

@@ -50,7 +50,7 @@ for source in mesh, make_reader(files[0]), make_reader(files[1]):
     for pixels in 0.2, 2, 20:
         scene = make(source, PixelError=pixels)
         picture = at(scene, AT_REST)
-        points = scene.mapper.GetNumberOfDrawnPoints()
+        points = gm.statistic(scene.mapper, "DrawnPoints")
         error = rms(picture, full)
         assert 0 < points < before and error > last, (pixels, points, error)
         before, last = points, error
@@ -59,7 +59,7 @@ for source in mesh, make_reader(files[0]), make_reader(files[1]):
         at(scene, AT_REST)
         scene.look(0.3, 0.4, distance=2.0)
         gv.require_same(at(scene, AT_REST), picture)
-        assert scene.mapper.GetNumberOfDrawnPoints() == points
+        assert gm.statistic(scene.mapper, "DrawnPoints") == points
     assert last > 0.01
 
     # From farther away, fewer points have the same error; from near by more.
@@ -67,7 +67,7 @@ for source in mesh, make_reader(files[0]), make_reader(files[1]):
     for distance in 1.0, 2.0, 8.0, 30.0:
         scene = make(source, distance, PixelError=2)
         at(scene, AT_REST)
-        counts.append(scene.mapper.GetNumberOfDrawnPoints())
+        counts.append(gm.statistic(scene.mapper, "DrawnPoints"))
     assert counts[0] > counts[1] > counts[2] > counts[3], counts
 
     # In motion the mesh follows the view; at rest it is whole.
@@ -78,23 +78,23 @@ for source in mesh, make_reader(files[0]), make_reader(files[1]):
         scene.look(0.3 + 0.02 * turn, 0.4, distance=2.0)
         at(scene, IN_MOTION)
         assert scene.mapper.PrepareSimplification()
-    followed = scene.mapper.GetNumberOfDrawnPoints()
+    followed = gm.statistic(scene.mapper, "DrawnPoints")
     assert 300 <= followed < POINTS / 2, followed
     scene.look(0.3, 0.4, distance=2.0)
     assert gv.difference(at(scene, AT_REST), full) <= 2 / 255
-    scene.mapper.SetViewDependent(False)
+    scene.mapper.GetDetailPolicy().SetViewDependent(False)
     for _ in range(3):
         at(scene, IN_MOTION)
         assert scene.mapper.PrepareSimplification()
-    assert scene.mapper.GetNumberOfDrawnPoints() == 500
+    assert gm.statistic(scene.mapper, "DrawnPoints") == 500
     # In motion, too, there is an error that need not be less.
-    scene.mapper.SetViewDependent(True)
-    scene.mapper.SetTimeBudget(100)
-    scene.mapper.SetPixelError(1e6)
+    scene.mapper.GetDetailPolicy().SetViewDependent(True)
+    scene.mapper.GetDetailPolicy().SetTimeBudget(100)
+    scene.mapper.GetDetailPolicy().SetPixelError(1e6)
     for _ in range(3):
         at(scene, IN_MOTION)
         assert scene.mapper.PrepareSimplification()
-    assert scene.mapper.GetNumberOfDrawnPoints() < 500
+    assert gm.statistic(scene.mapper, "DrawnPoints") < 500
 
     # By the ray caster.
     camera = dict(Camera=scene.camera, Property=scene.volume.GetProperty(), Size=(90, 90))
@@ -105,15 +105,17 @@ for source in mesh, make_reader(files[0]), make_reader(files[1]):
         error = rms(picture, whole)
         assert error > last, (pixels, error)
         last = error
-    some = gv.draw(source, TimeBudget=1e-5, **camera)[0]
-    alike = gv.draw(source, TimeBudget=1e-5, ViewDependent=False, **camera)[0]
+    some = gv.draw(source, JustInTime=True, TimeBudget=1e-5, **camera)[0]
+    alike = gv.draw(
+        source, JustInTime=True, TimeBudget=1e-5, ViewDependent=False, **camera)[0]
     assert rms(some, whole) > 0 and rms(some, alike) > 0
+    assert rms(gv.draw(source, TimeBudget=1e-5, **camera)[0], whole) == 0
 
 # Numbers out of range and numbers that are none.
 scene = make(make_reader(files[0]))
 full = at(scene, AT_REST)
-scene.mapper.SetPixelError(-1)
-assert scene.mapper.GetPixelError() == 0
+scene.mapper.GetDetailPolicy().SetPixelError(-1)
+assert scene.mapper.GetDetailPolicy().GetPixelError() == 0
 nan = float("nan")
 other = make(make_reader(files[0]), PixelError=nan)
 messages = gm.Errors(other.mapper)
@@ -124,7 +126,7 @@ reader = make_reader(files[0])
 caster.SetInputConnection(reader.GetOutputPort())
 caster.SetCamera(scene.camera)
 caster.SetProperty(scene.volume.GetProperty())
-caster.SetPixelError(nan)
+caster.GetDetailPolicy().SetPixelError(nan)
 messages = gm.Errors(caster)
 caster.Update()
 assert "PixelError" in str(messages), str(messages)
@@ -136,8 +138,8 @@ for place in ([0.51] * 3, [0.5] * 3, [0, 0, 0]):
     scene.camera.SetFocalPoint(1, 0.5, 0.3)
     scene.camera.SetClippingRange(0.001, 4)
     at(scene, AT_REST)
-    assert scene.mapper.GetErrorCode() == 0 and scene.mapper.GetNumberOfDrawnPoints() > 0
+    assert scene.mapper.GetErrorCode() == 0 and gm.statistic(scene.mapper, "DrawnPoints") > 0
 scene = make(make_reader(files[0]), PixelError=2)
 scene.camera.ParallelProjectionOn()
 at(scene, AT_REST)
-assert scene.mapper.GetErrorCode() == 0 and 0 < scene.mapper.GetNumberOfDrawnPoints() < POINTS
+assert scene.mapper.GetErrorCode() == 0 and 0 < gm.statistic(scene.mapper, "DrawnPoints") < POINTS

@@ -24,14 +24,14 @@ def make(source, **options):
 def at(scene, rate):
     scene.window.SetDesiredUpdateRate(rate)
     picture = scene.render()
-    return scene.mapper.GetNumberOfDrawnPoints(), picture
+    return gm.statistic(scene.mapper, "DrawnPoints"), picture
 
 
 mesh = gv.wave(16)
 assert mesh.GetNumberOfPoints() == POINTS
 plain = make(mesh)
 _, full = at(plain, AT_REST)
-assert plain.mapper.GetNumberOfDrawnPoints() == 0
+assert gm.statistic(plain.mapper, "DrawnPoints") == 0
 assert not plain.mapper.PrepareSimplification()  # nobody wants to simplify anything
 
 # --------------------------------------------------------------------------------------------------
@@ -46,7 +46,7 @@ points, picture = at(scene, AT_REST)
 assert points == POINTS and gv.difference(picture, full) == 0
 
 # No time: as simple, and as coarse, as can be.
-mapper.SetTimeBudget(1e-6)
+mapper.GetDetailPolicy().SetTimeBudget(1e-6)
 for _ in range(4):
     points, picture = at(scene, IN_MOTION)
     assert mapper.PrepareSimplification()  # waits for the background, too
@@ -65,11 +65,11 @@ assert 0.01 < gv.difference(picture, full) < 0.5
 mapper.AutoAdjustSampleDistancesOn()
 
 # Time enough: all of it. What is allocated counts where there is no budget.
-mapper.SetTimeBudget(1000)
+mapper.GetDetailPolicy().SetTimeBudget(1000)
 for _ in range(4):
     points, picture = at(scene, IN_MOTION)
 assert points == POINTS and gv.difference(picture, full) == 0
-mapper.SetTimeBudget(0)
+mapper.GetDetailPolicy().SetTimeBudget(0)
 for _ in range(4):
     points, _ = at(scene, 1e6)
     mapper.PrepareSimplification()
@@ -80,7 +80,7 @@ for _ in range(4):
 assert points == POINTS and gv.difference(picture, full) == 0
 
 # Off: rays only, as ever.
-mapper.JustInTimeOff()
+mapper.GetDetailPolicy().JustInTimeOff()
 points, _ = at(scene, 1e6)
 assert points == 0
 
@@ -99,18 +99,18 @@ simplify.SetSimplificationRatio(0.75)
 _, expected = at(make(simplify), AT_REST)
 # Equal costs may be in another order there.
 assert abs(picture - expected).mean() < 0.2 * abs(picture - full).mean()
-fixed.mapper.SetSimplificationRatio(1)
+fixed.mapper.GetDetailPolicy().SetSimplificationRatio(1)
 points, _ = at(fixed, AT_REST)
 assert 0 < points < 100
-fixed.mapper.SetSimplificationRatio(1e-9)
+fixed.mapper.GetDetailPolicy().SetSimplificationRatio(1e-9)
 points, picture = at(fixed, AT_REST)
 assert points == POINTS and gv.difference(picture, full) == 0
 # Another ratio: only what it changes is drawn, and it looks as if all were.
 drawn = []
 for ratio in 0.3, 0.3002, 0.3004, 0.31, 0.3, 0.3:
-    fixed.mapper.SetSimplificationRatio(ratio)
+    fixed.mapper.GetDetailPolicy().SetSimplificationRatio(ratio)
     _, picture = at(fixed, AT_REST)
-    drawn.append(fixed.mapper.GetRedrawnFraction())
+    drawn.append(gm.statistic(fixed.mapper, "RedrawnFraction"))
     _, expected = at(make(mesh, SimplificationRatio=ratio), AT_REST)
     assert gv.difference(picture, expected) == 0
 assert 0 < drawn[1] < 0.8 and 0 < drawn[2] < 0.8, drawn
@@ -118,17 +118,17 @@ assert drawn[-1] == 0, drawn
 # Whatever else changes, all of it is drawn.
 fixed.volume.GetProperty().SetScalarOpacityUnitDistance(0.3)
 at(fixed, AT_REST)
-assert fixed.mapper.GetRedrawnFraction() == 1
+assert gm.statistic(fixed.mapper, "RedrawnFraction") == 1
 fixed.volume.GetProperty().SetScalarOpacityUnitDistance(0.2)
 fixed.camera.Azimuth(1)
 at(fixed, AT_REST)
-assert fixed.mapper.GetRedrawnFraction() == 1
+assert gm.statistic(fixed.mapper, "RedrawnFraction") == 1
 fixed.camera.Azimuth(-1)
 
 # In motion no more than that.
-fixed.mapper.SetSimplificationRatio(0.5)
-fixed.mapper.JustInTimeOn()
-fixed.mapper.SetTimeBudget(1000)
+fixed.mapper.GetDetailPolicy().SetSimplificationRatio(0.5)
+fixed.mapper.GetDetailPolicy().JustInTimeOn()
+fixed.mapper.GetDetailPolicy().SetTimeBudget(1000)
 points, half = at(fixed, IN_MOTION)
 for _ in range(4):
     points, half = at(fixed, IN_MOTION)
@@ -148,7 +148,7 @@ scene = make(cells, JustInTime=True, ViewDependent=False)
 _, picture = at(scene, AT_REST)
 assert gv.difference(picture, expected) == 0
 scene.mapper.PrepareSimplification()
-scene.mapper.SetTimeBudget(1e-6)
+scene.mapper.GetDetailPolicy().SetTimeBudget(1e-6)
 for _ in range(3):
     points, _ = at(scene, IN_MOTION)
     scene.mapper.PrepareSimplification()
@@ -193,13 +193,13 @@ assert 4 <= points <= 8
 
 scene = make(mesh)
 for ratio, clamped in (-0.1, 0), (1.1, 1), (math.inf, 1):
-    scene.mapper.SetSimplificationRatio(ratio)
-    assert scene.mapper.GetSimplificationRatio() == clamped, ratio
+    scene.mapper.GetDetailPolicy().SetSimplificationRatio(ratio)
+    assert scene.mapper.GetDetailPolicy().GetSimplificationRatio() == clamped, ratio
 errors = gm.Errors(scene.mapper)
-scene.mapper.SetSimplificationRatio(math.nan)
+scene.mapper.GetDetailPolicy().SetSimplificationRatio(math.nan)
 at(scene, AT_REST)
-assert "the simplification ratio must be from 0 to 1" in str(errors), str(errors)
-scene.mapper.SetSimplificationRatio(0)
+assert "SimplificationRatio is not a number" in str(errors), str(errors)
+scene.mapper.GetDetailPolicy().SetSimplificationRatio(0)
 _, picture = at(scene, AT_REST)
 assert gv.difference(picture, full) == 0
 

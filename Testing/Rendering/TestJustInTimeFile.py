@@ -68,7 +68,7 @@ for path in files[:2]:
         for budget in 0, 100:
             scene = make(make_reader(path, MemoryBudget=budget), SimplificationRatio=ratio)
             gv.require_same(at(scene, AT_REST), expected)
-            assert scene.mapper.GetNumberOfDrawnPoints() == POINTS - math.floor(POINTS * ratio)
+            assert gm.statistic(scene.mapper, "DrawnPoints") == POINTS - math.floor(POINTS * ratio)
         # By the reader, whose mesh is never made.
         reader = make_reader(path,
                              SimplificationNumberOfPoints=POINTS - math.floor(POINTS * ratio))
@@ -76,11 +76,11 @@ for path in files[:2]:
         gv.require_same(at(scene, AT_REST), expected)
         assert reader.GetOutput().GetNumberOfCells() == 0
         # The mapper may ask for less than the reader, which changes nothing, or for more.
-        scene.mapper.SetSimplificationRatio(ratio / 2)
+        scene.mapper.GetDetailPolicy().SetSimplificationRatio(ratio / 2)
         gv.require_same(at(scene, AT_REST), expected)
-        scene.mapper.SetSimplificationRatio(0.99)
+        scene.mapper.GetDetailPolicy().SetSimplificationRatio(0.99)
         at(scene, AT_REST)
-        assert scene.mapper.GetNumberOfDrawnPoints() == POINTS - math.floor(POINTS * 0.99)
+        assert gm.statistic(scene.mapper, "DrawnPoints") == POINTS - math.floor(POINTS * 0.99)
         # By the ray caster.
         camera = dict(Camera=scene.camera, Property=scene.volume.GetProperty(), Size=(90, 90))
         of_mesh = gv.draw(simple.GetOutput(), **camera)[0]
@@ -96,7 +96,7 @@ for path in files[:2]:
     for _ in range(4):
         picture = at(scene, IN_MOTION)
         assert scene.mapper.PrepareSimplification()
-    assert scene.mapper.GetNumberOfDrawnPoints() == 500
+    assert gm.statistic(scene.mapper, "DrawnPoints") == 500
     assert gv.difference(picture, full) > 0.02
     assert gv.difference(at(scene, AT_REST), full) <= 2 / 255
 
@@ -112,8 +112,8 @@ assert gv.difference(at(make(reader), AT_REST), full) > 0.02  # nothing is drawn
 assert "there is no hierarchy" in str(messages)
 for ratio, clamped in (-0.5, 0), (1.5, 1):
     scene = make(make_reader(files[0]), SimplificationRatio=ratio)
-    assert scene.mapper.GetSimplificationRatio() == clamped
+    assert scene.mapper.GetDetailPolicy().GetSimplificationRatio() == clamped
 scene = make(make_reader(files[0]), SimplificationRatio=float("nan"))
 messages = gm.Errors(scene.mapper)
 at(scene, AT_REST)
-assert "simplification ratio must be from 0 to 1" in str(messages), str(messages)
+assert "SimplificationRatio is not a number" in str(messages), str(messages)

@@ -112,16 +112,13 @@ gv.require_same(scene.render()[..., :3], gv.over(gv.cast(scene, one, (160, 120))
 
 # Settings.
 MAPPER = gv.Scene(MESH).mapper
-for name, low in (("SimplificationRatio", 0), ("OpacityLimit", 0),
-                  ("TimeBudget", 0), ("ImageSampleDistance", 1)):
+for name, low in (("OpacityLimit", 0), ("ImageSampleDistance", 1)):
     getattr(MAPPER, "Set" + name)(-0.1)
     assert getattr(MAPPER, "Get" + name)() == low, name
-MAPPER.SetSimplificationRatio(2)
-assert MAPPER.GetSimplificationRatio() == 1
 for name, good in (("OpacityLimit", 0.001), ("TimeBudget", 0), ("ImageSampleDistance", 1),
                    ("MinimumImageSampleDistance", 1), ("MaximumImageSampleDistance", 10)):
     refuse_setting(name, np.nan, good, name + " is not a number")
-refuse_setting("ArrayComponent", 3, 0, "has no component 3")
+refuse_setting("ArrayComponent", 3, -1, "has no component 3")
 refuse_setting("ScalarMode", USE_FIELD_DATA, 0, "of points and of cells")
 
 

@@ -63,18 +63,18 @@ close.camera.SetFocalPoint(0.1, 0.1, 0.1)
 close.camera.SetViewAngle(2)
 close.camera.SetClippingRange(0.01, 2.2)
 gv.require_same(close.render(), close.render())
-few = close.mapper.GetBytesRead()
+few = gv.gm.statistic(close.mapper, "BytesRead")
 assert 0 < few < size / 3, (few, size)
 close.look(1, 0.5)
 close.camera.SetViewAngle(30)
 close.render()
-many = close.mapper.GetBytesRead()
+many = gv.gm.statistic(close.mapper, "BytesRead")
 assert many > 2 * few, (few, many)
 close.render()
-assert close.mapper.GetBytesRead() == many
+assert gv.gm.statistic(close.mapper, "BytesRead") == many
 close.source.SetMemoryBudget(0)
 close.render()
-assert close.mapper.GetBytesRead() > many
+assert gv.gm.statistic(close.mapper, "BytesRead") > many
 
 # A region of interest is made by the reader, and then drawn.
 region = make_reader(path)
@@ -83,7 +83,7 @@ part = gv.Scene(region)
 gv.require_same(part.render(), gv.Scene(region.GetOutput()).render())
 assert region.starts == 1
 assert part.mapper.GetDataSetInput().GetNumberOfCells() < mesh.GetNumberOfCells()
-assert part.mapper.GetBytesRead() == 0
+assert gv.gm.statistic(part.mapper, "BytesRead") == 0
 region.SetBox(1, -1, 1, -1, 1, -1)
 gv.require_same(part.render(), gv.Scene(mesh).render())
 

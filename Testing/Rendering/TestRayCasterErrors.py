@@ -35,24 +35,23 @@ caster = gv.make_caster(grid)
 for size, clamped in ((0, 10), (1, 10)), ((-3, 10), (1, 10)), ((10, 40000), (10, 32000)):
     caster.SetSize(size)
     assert caster.GetSize() == clamped, size
-for name, low, high in (("OpacityLimit", 0, 1), ("TimeBudget", 0, 1e6), ("SimplificationRatio", 0, 1)):
-    getattr(caster, "Set" + name)(-1)
-    assert getattr(caster, "Get" + name)() == low, name
-    getattr(caster, "Set" + name)(1e9)
-    assert getattr(caster, "Get" + name)() == high, name
+caster.SetOpacityLimit(-1)
+assert caster.GetOpacityLimit() == 0
+caster.SetOpacityLimit(1e9)
+assert caster.GetOpacityLimit() == 1
 
 NAN = float("nan")
 for name, bad, right in (
         ("OpacityLimit", NAN, 0.001), ("TimeBudget", NAN, 0),
         ("SimplificationRatio", NAN, 0), ("Camera", None, gv.box_camera()),
         ("Property", None, gv.box_property()), ("ArrayName", "nothing", None),
-        ("ArrayComponent", 5, 0), ("ArrayAssociation", 1, -1)):
+        ("ArrayComponent", 5, -1), ("ArrayAssociation", 1, -1)):
     caster = gv.make_caster(grid)
     if name == "ArrayAssociation":
         caster.SetArrayName("wave")
-    getattr(caster, "Set" + name)(bad)
+    gv.gm.set_options(caster, **{name: bad})
     expect_error(caster, name)
-    getattr(caster, "Set" + name)(right)
+    gv.gm.set_options(caster, **{name: right})
     expect_good(caster)
 
 camera = gv.box_camera()

@@ -153,7 +153,7 @@ handle = handle_of(reader)
 assert handle.GetFileName() == path and handle.GetIsOpen() and handle.GetReason() == ""
 assert handle.GetDecodedChunks() == handle.GetFoundChunks() == handle.GetMemory() == 0
 consumers.surface()
-passed = consumers.contour.GetNumberOfChunksUsed()
+passed = gm.statistic(consumers.contour, "UsedChunks")
 assert 0 < passed < chunks
 assert (handle.GetDecodedChunks(), handle.GetFoundChunks()) == (passed, 0)
 assert gm.statistic(reader, "DecodedChunks") == 0 and reader.GetOutput().GetNumberOfCells() == 0
@@ -161,7 +161,7 @@ consumers.mesh()
 assert gm.statistic(reader, "DecodedChunks") == chunks - passed
 assert (handle.GetDecodedChunks(), handle.GetFoundChunks()) == (chunks, passed)
 read = handle.GetBytesRead()
-assert read == gm.statistic(reader, "BytesRead") == consumers.contour.GetBytesRead()
+assert read == gm.statistic(reader, "BytesRead") == gm.statistic(consumers.contour, "BytesRead")
 # The whole mesh is in the output of the reader, and what was decoded for it is not kept as well. The
 # ray caster and the mapper decode what is not kept, once each, into blocks of their own.
 consumers.cast()
@@ -174,7 +174,7 @@ consumers.cast()
 consumers.draw()
 assert handle.GetDecodedChunks() == decoded, "all is kept"
 assert handle.GetFoundChunks() > passed + chunks
-assert handle.GetBytesRead() == read == consumers.scene.mapper.GetBytesRead()
+assert handle.GetBytesRead() == read == gm.statistic(consumers.scene.mapper, "BytesRead")
 # The simplifier reads the tree, and decodes what is not kept.
 consumers.simple()
 assert handle.GetDecodedChunks() == decoded + chunks - passed and handle.GetBytesRead() > read
@@ -222,7 +222,7 @@ assert handle_of(reader) and handle_of(elevation) is None
 behind = make_contour(elevation)
 behind.SetInputArrayToProcess(0, 0, 0, 0, "Elevation")
 surface_of(behind)
-assert behind.GetNumberOfChunks() == 0 and elevation.GetOutput().GetNumberOfCells() > 0
+assert gm.statistic(behind, "Chunks") == 0 and elevation.GetOutput().GetNumberOfCells() > 0
 assert gm.statistic(reader, "DecodedChunks") == chunks
 
 # The file changes: once more it is opened once, and nobody draws the old one.

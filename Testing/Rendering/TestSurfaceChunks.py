@@ -32,16 +32,16 @@ for scene in ours, theirs:
     scene.look(30, 20, zoom=8)
 require_equal(ours, theirs, "close")
 total = chunks_of(ours)
-few = ours.mapper.GetNumberOfDecodedChunks()
+few = gm.statistic(ours.mapper, "DecodedChunks")
 assert total > 25 and 0 < few < total / 3, (few, total)
-assert ours.mapper.GetNumberOfDrawnChunks() == few
+assert gm.statistic(ours.mapper, "DrawnChunks") == few
 before = gm.statistic(ours.source, "BytesRead")
 ours.render()
-assert ours.mapper.GetNumberOfDecodedChunks() == few and gm.statistic(ours.source, "BytesRead") == before
+assert gm.statistic(ours.mapper, "DecodedChunks") == few and gm.statistic(ours.source, "BytesRead") == before
 for scene in ours, theirs:
     scene.look(30, 20)
 require_equal(ours, theirs, "all")
-assert ours.mapper.GetNumberOfDecodedChunks() == total == ours.mapper.GetNumberOfDrawnChunks()
+assert gm.statistic(ours.mapper, "DecodedChunks") == total == gm.statistic(ours.mapper, "DrawnChunks")
 
 # Those behind the camera neither.
 scene = Scene(pd.reader_of(path, LargeMesh=0))
@@ -50,7 +50,7 @@ scene.camera.SetPosition(0, 0, 0)
 scene.camera.SetFocalPoint(1, 0, 0)
 scene.renderer.ResetCameraClippingRange()
 scene.render()
-assert 0 < scene.mapper.GetNumberOfDecodedChunks() < total / 2
+assert 0 < gm.statistic(scene.mapper, "DecodedChunks") < total / 2
 
 # Of what is culled nothing is drawn, in all positions, and nothing is missing.
 ours, theirs = pair(path)
@@ -68,24 +68,24 @@ for face in "Back", "Front":
                     scene.look(*view)
                 ours.render()
                 require_equal(ours, theirs, (face, parallel, scale, view))
-                culled.append(ours.mapper.GetNumberOfCulledChunks())
+                culled.append(gm.statistic(ours.mapper, "CulledChunks"))
 assert min(culled) > total / 20 and max(culled) < total * 0.8, culled
 ours.actor.GetProperty().SetFrontfaceCulling(0)
 ours.render()
-assert ours.mapper.GetNumberOfCulledChunks() == 0
+assert gm.statistic(ours.mapper, "CulledChunks") == 0
 
 # Buffers keep to the budget, and pictures do not depend on it.
 ours, theirs = pair(path)
 for scene in ours, theirs:
     scene.look(20, 30)
 whole = require_equal(ours, theirs, "budget")
-needed = ours.mapper.GetBufferBytes()
+needed = gm.statistic(ours.mapper, "BufferBytes")
 assert needed > 500000, needed
 ours.mapper.SetMemoryBudget(0)
-assert np.array_equal(ours.render(), whole) and ours.mapper.GetBufferBytes() == 0
-decoded = ours.mapper.GetNumberOfDecodedChunks()
+assert np.array_equal(ours.render(), whole) and gm.statistic(ours.mapper, "BufferBytes") == 0
+decoded = gm.statistic(ours.mapper, "DecodedChunks")
 assert np.array_equal(ours.render(), whole)
-assert ours.mapper.GetNumberOfDecodedChunks() == decoded + total
+assert gm.statistic(ours.mapper, "DecodedChunks") == decoded + total
 large = ball(250)
 gm.write(large, path, ChunkSize=5000)
 whole = pd.read(path)
@@ -95,15 +95,15 @@ for budget in 1, 4, 512:
     ours.mapper.SetMemoryBudget(budget)
     ours.look(20, 30)
     first = ours.render()
-    kept = ours.mapper.GetBufferBytes()
+    kept = gm.statistic(ours.mapper, "BufferBytes")
     assert 0 < kept <= budget << 20, (kept, budget)
-    many = ours.mapper.GetNumberOfDecodedChunks()
+    many = gm.statistic(ours.mapper, "DecodedChunks")
     assert np.array_equal(first, ours.render())
-    budgets.append(ours.mapper.GetNumberOfDecodedChunks() - many)
+    budgets.append(gm.statistic(ours.mapper, "DecodedChunks") - many)
     # Another view drives out what is not seen any more.
     ours.look(20, 30, zoom=6)
     ours.render()
-    assert ours.mapper.GetBufferBytes() <= budget << 20
+    assert gm.statistic(ours.mapper, "BufferBytes") <= budget << 20
     # Changes of the mapper and of properties need the meshes again.
     theirs = Scene(whole, False)
     for scene in ours, theirs:
@@ -164,7 +164,7 @@ for piece in range(3):
     assert ours.actor.GetBounds() == surface.GetBounds()
     ours.look(20, 30)
     pictures.append(covered(ours.render()))
-    assert 0 < ours.mapper.GetNumberOfDrawnChunks() <= total / 3 + 1
+    assert 0 < gm.statistic(ours.mapper, "DrawnChunks") <= total / 3 + 1
 assert all(0.01 < share < 0.4 for share in pictures), pictures
 
 # Arrays that are not read are no colors, and time is that of the pipeline.
@@ -228,7 +228,7 @@ scene.look()
 part = scene.render()
 assert scene.mapper.GetErrorCode() != 0 and len(errors.messages) == 1 and path in str(errors)
 assert 0.3 * covered(whole) < covered(part)
-assert total - 3 <= scene.mapper.GetNumberOfDrawnChunks() < total
+assert total - 3 <= gm.statistic(scene.mapper, "DrawnChunks") < total
 scene.render()
 assert len(errors.messages) == 1 and scene.mapper.GetErrorCode() != 0
 with open(path, "wb") as file:
@@ -250,6 +250,6 @@ def note(*_):
 
 scene.mapper.AddObserver("ProgressEvent", note)
 scene.render()
-assert 0 < scene.mapper.GetNumberOfDrawnChunks() < total / 2
+assert 0 < gm.statistic(scene.mapper, "DrawnChunks") < total / 2
 assert np.array_equal(scene.render(), whole)
 assert scene.progress[-1] == 1 and len(scene.progress) > 5

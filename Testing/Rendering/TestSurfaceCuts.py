@@ -18,8 +18,7 @@ gm.write(surface, path, ChunkSize=2000, Hierarchy=True, Levels=3)
 
 def make(**options):
     scene = Scene(pd.reader_of(path, LargeMesh=0))
-    for name, value in options.items():
-        getattr(scene.mapper, "Set" + name)(value)
+    gm.set_options(scene.mapper, **options)
     scene.look(30, 20)
     scene.window.SetDesiredUpdateRate(0.001)
     return scene
@@ -32,7 +31,7 @@ def far(one, other):
 # An error of 0 is all of the surface.
 scene = make(PixelError=0)
 full = scene.render()
-assert scene.mapper.GetNumberOfDrawnPoints() == 0
+assert gm.statistic(scene.mapper, "DrawnPoints") == 0
 assert np.array_equal(make(ViewDependent=False).render(), full)
 
 # The larger the error, the fewer points, and the image is not far from that of all.
@@ -40,7 +39,7 @@ drawn = []
 for error in 0.02, 0.2, 2, 20:
     scene = make(PixelError=error)
     picture = scene.render()
-    drawn.append(scene.mapper.GetNumberOfDrawnPoints())
+    drawn.append(gm.statistic(scene.mapper, "DrawnPoints"))
     assert covered(picture) > 0.95 * covered(full), error
     assert far(picture, full) < 3 + error, (error, far(picture, full))
 assert drawn == sorted(drawn, reverse=True) and points > drawn[0] > 4 * drawn[-1] > 0, drawn
@@ -49,31 +48,31 @@ assert drawn == sorted(drawn, reverse=True) and points > drawn[0] > 4 * drawn[-1
 near = make()
 near.look(30, 20, zoom=12)
 whole = near.render()
-near.mapper.SetPixelError(1)
+near.mapper.GetDetailPolicy().SetPixelError(1)
 cut = near.render()
-count = near.mapper.GetNumberOfDrawnPoints()
-near.mapper.SetPixelError(0)
-near.mapper.SetSimplificationRatio(1 - count / points)
+count = gm.statistic(near.mapper, "DrawnPoints")
+near.mapper.GetDetailPolicy().SetPixelError(0)
+near.mapper.GetDetailPolicy().SetSimplificationRatio(1 - count / points)
 uniform = near.render()
-assert abs(near.mapper.GetNumberOfDrawnPoints() - count) < 10
+assert abs(gm.statistic(near.mapper, "DrawnPoints") - count) < 10
 assert far(cut, whole) < 0.5 * far(uniform, whole), (far(cut, whole), far(uniform, whole))
 
 # The way does not matter: somewhere and back is the same image, of which only chunks that change are
 # made again.
 scene = make(PixelError=0.5)
 first = scene.render()
-decoded = scene.mapper.GetNumberOfDecodedChunks()
+decoded = gm.statistic(scene.mapper, "DecodedChunks")
 assert np.array_equal(scene.render(), first)
-assert scene.mapper.GetNumberOfDecodedChunks() == decoded
+assert gm.statistic(scene.mapper, "DecodedChunks") == decoded
 for azimuth, elevation, zoom in (60, 0, 1), (200, 40, 5), (30, 20, 9):
     scene.look(azimuth, elevation, zoom)
     scene.render()
 scene.look(30, 20)
 assert np.array_equal(scene.render(), first)
-before = scene.mapper.GetNumberOfDecodedChunks()
+before = gm.statistic(scene.mapper, "DecodedChunks")
 scene.camera.Azimuth(0.01)
 scene.render()
-assert scene.mapper.GetNumberOfDecodedChunks() - before < scene.mapper.GetNumberOfDrawnChunks()
+assert gm.statistic(scene.mapper, "DecodedChunks") - before < gm.statistic(scene.mapper, "DrawnChunks")
 other = make(PixelError=0.5)
 assert np.array_equal(other.render(), first)
 
@@ -124,7 +123,7 @@ assert scene.mapper.GetErrorCode() == 0
 
 # Without room for a base mesh, all of the surface.
 scene = make(PixelError=2, MemoryBudget=1)
-assert np.array_equal(scene.render(), full) and scene.mapper.GetNumberOfDrawnPoints() == 0
+assert np.array_equal(scene.render(), full) and gm.statistic(scene.mapper, "DrawnPoints") == 0
 
 
 # While somebody interacts: the surface follows the view, and ends up at the same one.
@@ -140,21 +139,21 @@ scene = make(JustInTime=True, TimeBudget=1e-6)
 drawn = set()
 for _ in range(40):
     settled = move(scene, 1)
-    drawn.add(scene.mapper.GetNumberOfDrawnPoints())
+    drawn.add(gm.statistic(scene.mapper, "DrawnPoints"))
 # Fewer than the coarsest base mesh has.
 assert 0 < min(drawn) < points / 9, drawn
 assert covered(settled) > 0.9 * covered(full) and far(settled, full) < 15
-decoded = scene.mapper.GetNumberOfDecodedChunks()
+decoded = gm.statistic(scene.mapper, "DecodedChunks")
 move(scene, 5)
-assert scene.mapper.GetNumberOfDecodedChunks() - decoded < 100
+assert gm.statistic(scene.mapper, "DecodedChunks") - decoded < 100
 # Camera changes before anything is ready, and while it is made.
 for turn in range(60):
     scene.camera.Azimuth(7)
     scene.window.Render()
     if turn % 7 == 0:
-        scene.mapper.SetViewDependent(turn % 2 == 0)
+        scene.mapper.GetDetailPolicy().SetViewDependent(turn % 2 == 0)
     assert scene.mapper.GetErrorCode() == 0
-scene.mapper.SetViewDependent(True)
+scene.mapper.GetDetailPolicy().SetViewDependent(True)
 scene.look(30, 20)
 assert far(move(scene, 20), settled) < 10
 scene.window.SetDesiredUpdateRate(0.001)
@@ -162,14 +161,20 @@ scene.look(30, 20)
 assert np.array_equal(scene.render(), full)
 
 # Errors that are none.
+policy = scene.mapper.GetDetailPolicy()
 errors = gm.Errors(scene.mapper)
-scene.mapper.SetPixelError(3)
-for wrong in -1.0, float("nan"), -float("inf"):
-    scene.mapper.SetPixelError(wrong)
-    assert scene.mapper.GetPixelError() == 3 and "PixelError" in str(errors), errors
-scene.mapper.SetPixelError(float("inf"))
+for name in "PixelError", "TimeBudget", "SimplificationRatio":
+    gm.set_options(scene.mapper, **{name: float("nan")})
+    scene.render()
+    assert f"{name} is not a number" in str(errors) and scene.mapper.GetErrorCode() != 0, errors
+    gm.set_options(scene.mapper, **{name: 0})
+    assert np.array_equal(scene.render(), full) and scene.mapper.GetErrorCode() == 0
+policy.SetPixelError(-1)
+assert policy.GetPixelError() == 0
+policy.SetPixelError(float("inf"))
 scene.render()
-assert 0 < scene.mapper.GetNumberOfDrawnPoints() < points / 50 and scene.mapper.GetErrorCode() == 0
+assert 0 < gm.statistic(scene.mapper, "DrawnPoints") < points / 50
+assert scene.mapper.GetErrorCode() == 0
 
 # Points that are nowhere stay, and do not matter.
 strange = ball(60)
@@ -178,8 +183,8 @@ for i in range(2000, 2040):
 gm.write(strange, path, ChunkSize=2000, Hierarchy=True, Levels=1)
 scene = Scene(pd.reader_of(path, LargeMesh=0))
 scene.look(30, 20, bounds=surface.GetBounds())
-scene.mapper.SetPixelError(1)
-assert covered(scene.render()) > 0.9 * covered(full) and scene.mapper.GetNumberOfDrawnPoints() > 0
+scene.mapper.GetDetailPolicy().SetPixelError(1)
+assert covered(scene.render()) > 0.9 * covered(full) and gm.statistic(scene.mapper, "DrawnPoints") > 0
 
 # A damaged file: an error, once, and never more than that.
 gm.write(surface, path, ChunkSize=2000, Hierarchy=True, Levels=3)
@@ -195,12 +200,12 @@ for place in range(1, 20):
     errors = gm.Errors(scene.mapper)
     scene.look(30, 20, bounds=surface.GetBounds())
     scene.window.SetDesiredUpdateRate(0.001)
-    scene.mapper.SetPixelError(0.3)
+    scene.mapper.GetDetailPolicy().SetPixelError(0.3)
     scene.render()
     failed += scene.mapper.GetErrorCode() != 0
-    scene.mapper.SetPixelError(0)
-    scene.mapper.JustInTimeOn()
-    scene.mapper.SetTimeBudget(1e-6)
+    scene.mapper.GetDetailPolicy().SetPixelError(0)
+    scene.mapper.GetDetailPolicy().JustInTimeOn()
+    scene.mapper.GetDetailPolicy().SetTimeBudget(1e-6)
     move(scene, 8)
     assert scene.mapper.GetErrorCode() == 0 or str(errors)
 assert failed > 3, failed
@@ -212,8 +217,8 @@ gm.write(surface, path, ChunkSize=2000)
 scene = Scene(pd.reader_of(path, LargeMesh=0))
 scene.look(30, 20)
 errors = gm.Errors(scene.mapper)
-scene.mapper.SetPixelError(1)
+scene.mapper.GetDetailPolicy().SetPixelError(1)
 scene.render()
 assert "hierarchy" in str(errors) and scene.mapper.GetErrorCode() != 0, errors
-scene.mapper.SetPixelError(0)
+scene.mapper.GetDetailPolicy().SetPixelError(0)
 assert np.array_equal(scene.render(), full)

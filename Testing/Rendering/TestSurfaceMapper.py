@@ -50,7 +50,7 @@ assert ours.actor.GetBounds() == theirs.actor.GetBounds()
 plain = same("plain")
 assert ours.mapper.GetIsDrawingFile() and ours.mapper.GetErrorCode() == 0
 assert gm.statistic(ours.source, "DecodedChunks") == 0 and ours.source.GetOutput().GetNumberOfCells() == 12
-assert ours.mapper.GetNumberOfDrawnChunks() > 5
+assert gm.statistic(ours.mapper, "DrawnChunks") > 5
 
 # Colors.
 of_both((mapper, "SetScalarRange", -1, 2))
@@ -164,6 +164,6 @@ for source in surface, pd.reader_of(path):
         same("data")
     else:
         assert np.array_equal(ours.render(), theirs.render())
-    assert not ours.mapper.GetIsDrawingFile() and ours.mapper.GetNumberOfDecodedChunks() == 0
+    assert not ours.mapper.GetIsDrawingFile() and gm.statistic(ours.mapper, "DecodedChunks") == 0
     for scene in both:
         scene.window.Finalize()

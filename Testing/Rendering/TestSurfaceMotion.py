@@ -19,7 +19,7 @@ gm.write(surface, path, ChunkSize=2000, Hierarchy=True, Levels=5)
 def move(scene, budget, frames=1):
     """Images during an interaction, each after what the one before has asked for is there."""
     scene.window.SetDesiredUpdateRate(100)
-    scene.mapper.SetTimeBudget(budget)
+    scene.mapper.GetDetailPolicy().SetTimeBudget(budget)
     for _ in range(frames):
         picture = scene.render()
         scene.mapper.WaitForPreparation()
@@ -41,25 +41,25 @@ scene = Scene(pd.reader_of(path, LargeMesh=0))
 for one in whole, scene:
     one.look(30, 20)
 full = require_equal(scene, whole, "at rest")
-assert np.array_equal(move(scene, 1e-6, 3), full) and scene.mapper.GetNumberOfDrawnPoints() == 0
+assert np.array_equal(move(scene, 1e-6, 3), full) and gm.statistic(scene.mapper, "DrawnPoints") == 0
 
 # On: as little as there is, as soon as somebody moves it, without another look at the whole.
-scene.mapper.JustInTimeOn()
-assert np.array_equal(rest(scene), full) and scene.mapper.GetNumberOfDrawnPoints() == 0
-decoded = scene.mapper.GetNumberOfDecodedChunks()
+scene.mapper.GetDetailPolicy().JustInTimeOn()
+assert np.array_equal(rest(scene), full) and gm.statistic(scene.mapper, "DrawnPoints") == 0
+decoded = gm.statistic(scene.mapper, "DecodedChunks")
 coarse = move(scene, 1e-6)
-fewest = scene.mapper.GetNumberOfDrawnPoints()
+fewest = gm.statistic(scene.mapper, "DrawnPoints")
 assert 0 < fewest < points / 4, fewest
-assert scene.mapper.GetNumberOfDecodedChunks() == decoded
+assert gm.statistic(scene.mapper, "DecodedChunks") == decoded
 assert covered(coarse) > 0.9 * covered(full) and 0.01 < far(coarse, full) < 15, far(coarse, full)
-assert np.array_equal(rest(scene), full) and scene.mapper.GetNumberOfDrawnPoints() == 0
+assert np.array_equal(rest(scene), full) and gm.statistic(scene.mapper, "DrawnPoints") == 0
 
 # Much time: it becomes finer from image to image, until all of it is there.
 seen = []
 move(scene, 1e-6, 4)
 for _ in range(30):
     move(scene, 5)
-    seen.append(scene.mapper.GetNumberOfDrawnPoints())
+    seen.append(gm.statistic(scene.mapper, "DrawnPoints"))
     if seen[-1] == 0:
         break
 assert seen[-1] == 0, seen
@@ -67,11 +67,11 @@ assert np.array_equal(scene.render(), full)
 
 # An interaction is the first thing that is drawn: the whole is never decoded.
 scene = Scene(pd.reader_of(path, LargeMesh=0))
-scene.mapper.JustInTimeOn()
+scene.mapper.GetDetailPolicy().JustInTimeOn()
 scene.look(30, 20)
 first = move(scene, 1e-6)
-assert 0 < scene.mapper.GetNumberOfDecodedChunks() < scene.source.GetChunkTable().GetNumberOfRows() / 4
-assert covered(first) > 0.9 * covered(full) and scene.mapper.GetNumberOfDrawnPoints() == fewest
+assert 0 < gm.statistic(scene.mapper, "DecodedChunks") < scene.source.GetChunkTable().GetNumberOfRows() / 4
+assert covered(first) > 0.9 * covered(full) and gm.statistic(scene.mapper, "DrawnPoints") == fewest
 # Translucent, zoomed, and with other colors: still something in each image.
 scene.actor.GetProperty().SetOpacity(0.5)
 assert covered(move(scene, 1e-6, 2)) > 0.9 * covered(full)
@@ -85,44 +85,44 @@ assert np.array_equal(rest(scene), rest(scene))
 scene.mapper.SetMemoryBudget(1)
 scene.look(30, 20)
 assert covered(move(scene, 1e-6, 3)) > 0.9 * covered(full)
-assert scene.mapper.GetBufferBytes() <= 1 << 20
+assert gm.statistic(scene.mapper, "BufferBytes") <= 1 << 20
 
 # Fewer points in all images, as the reader would make them.
 scene = Scene(pd.reader_of(path, LargeMesh=0))
 scene.look(30, 20)
 total = scene.source.GetChunkTable().GetNumberOfRows()
 for ratio in 0.4, 0.4 + 2.0 / points, 0.3, 0.9, 0:
-    before = scene.mapper.GetNumberOfDecodedChunks()
-    scene.mapper.SetSimplificationRatio(ratio)
+    before = gm.statistic(scene.mapper, "DecodedChunks")
+    scene.mapper.GetDetailPolicy().SetSimplificationRatio(ratio)
     theirs = Scene(pd.read(path, SimplificationRatio=ratio), False)
     theirs.look(30, 20, bounds=surface.GetBounds())
     scene.look(30, 20, bounds=surface.GetBounds())
     require_equal(scene, theirs, ratio)
-    changed = scene.mapper.GetNumberOfDecodedChunks() - before
+    changed = gm.statistic(scene.mapper, "DecodedChunks") - before
     if ratio == 0.4 + 2.0 / points:
         # Two more points are merged.
         assert 0 < changed <= 6 < total / 2, (changed, total)
-    assert scene.mapper.GetNumberOfDrawnPoints() == (points - int(points * ratio) if ratio else 0)
+    assert gm.statistic(scene.mapper, "DrawnPoints") == (points - int(points * ratio) if ratio else 0)
 
 # Without base meshes, levels are made by merges.
 gm.write(surface, path, ChunkSize=2000, Hierarchy=True)
 scene = Scene(pd.reader_of(path, LargeMesh=0))
-scene.mapper.JustInTimeOn()
+scene.mapper.GetDetailPolicy().JustInTimeOn()
 scene.look(30, 20)
 coarse = move(scene, 1e-6)
-assert 0 < scene.mapper.GetNumberOfDrawnPoints() < points / 4
+assert 0 < gm.statistic(scene.mapper, "DrawnPoints") < points / 4
 assert covered(coarse) > 0.9 * covered(full)
 assert np.array_equal(rest(scene), full)
 
 # Without a hierarchy, nothing is simplified, and a ratio is an error.
 gm.write(surface, path, ChunkSize=2000)
 scene = Scene(pd.reader_of(path, LargeMesh=0))
-scene.mapper.JustInTimeOn()
+scene.mapper.GetDetailPolicy().JustInTimeOn()
 scene.look(30, 20)
-assert np.array_equal(move(scene, 1e-6), full) and scene.mapper.GetNumberOfDrawnPoints() == 0
+assert np.array_equal(move(scene, 1e-6), full) and gm.statistic(scene.mapper, "DrawnPoints") == 0
 errors = gm.Errors(scene.mapper)
-scene.mapper.SetSimplificationRatio(0.5)
+scene.mapper.GetDetailPolicy().SetSimplificationRatio(0.5)
 scene.render()
 assert "hierarchy" in str(errors) and scene.mapper.GetErrorCode() != 0, errors
-scene.mapper.SetSimplificationRatio(0)
+scene.mapper.GetDetailPolicy().SetSimplificationRatio(0)
 assert np.array_equal(rest(scene), full) and scene.mapper.GetErrorCode() == 0

@@ -157,8 +157,7 @@ class Scene:
 
     def set(self, **options):
         """Of the mapper."""
-        for name, value in options.items():
-            getattr(self.mapper, "Set" + name)(value)
+        gm.set_options(self.mapper, **options)
 
     def look(self, azimuth=0.0, elevation=0.0, distance=3.0, parallel=False):
         """From a direction, at the middle of the unit cube."""
@@ -193,8 +192,7 @@ def make_caster(source, **options):
     caster.SetCamera(box_camera())
     caster.SetProperty(box_property())
     caster.SetSize(WIDTH, HEIGHT)
-    for name, value in options.items():
-        getattr(caster, "Set" + name)(*(value if isinstance(value, tuple) else (value,)))
+    gm.set_options(caster, **options)
     return caster
 
 

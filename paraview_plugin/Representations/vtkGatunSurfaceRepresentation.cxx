@@ -4,6 +4,7 @@
 #include "vtkGatunSurfaceRepresentation.h"
 
 #include "gatunPieceSource.h"
+#include "vtkGatunDetailPolicy.h"
 #include "vtkGatunFileHandle.h"
 #include "vtkGatunSurfaceMapper.h"
 #include "vtkGatunSurfaceReader.h"
@@ -21,6 +22,8 @@
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 
@@ -50,6 +53,12 @@ vtkPolyData* FindSurface(vtkDataObject* data)
   }
   return nullptr;
 }
+
+//------------------------------------------------------------------------------
+vtkIdType GetStatistic(vtkGatunSurfaceMapper* mapper, const char* name)
+{
+  return mapper->GetStatistics()->GetValueByName(0, name).ToTypeInt64();
+}
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
@@ -57,7 +66,7 @@ vtkGatunSurfaceRepresentation::vtkGatunSurfaceRepresentation()
   : File(std::make_unique<gatun::PieceSource>(vtkSmartPointer<vtkGatunSurfaceReader>::New()))
 {
   vtkMath::UninitializeBounds(this->FileBounds);
-  this->SetTimeBudget(0.1);
+  this->SetDetailPolicy(nullptr);
 }
 
 vtkGatunSurfaceRepresentation::~vtkGatunSurfaceRepresentation() = default;
@@ -76,86 +85,35 @@ int vtkGatunSurfaceRepresentation::GetMemoryBudget()
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunSurfaceRepresentation::SetJustInTime(bool on)
+void vtkGatunSurfaceRepresentation::SetDetailPolicy(vtkGatunDetailPolicy* policy)
 {
-  this->JustInTime = on;
+  this->FrontMapper->SetDetailPolicy(policy);
+  this->BackMapper->SetDetailPolicy(this->FrontMapper->GetDetailPolicy());
 }
 
 //------------------------------------------------------------------------------
-bool vtkGatunSurfaceRepresentation::GetJustInTime()
+vtkGatunDetailPolicy* vtkGatunSurfaceRepresentation::GetDetailPolicy()
 {
-  return this->JustInTime;
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunSurfaceRepresentation::SetTimeBudget(double seconds)
-{
-  this->FrontMapper->SetTimeBudget(seconds);
-  this->BackMapper->SetTimeBudget(seconds);
-}
-
-//------------------------------------------------------------------------------
-double vtkGatunSurfaceRepresentation::GetTimeBudget()
-{
-  return this->FrontMapper->GetTimeBudget();
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunSurfaceRepresentation::SetViewDependent(bool on)
-{
-  this->FrontMapper->SetViewDependent(on);
-  this->BackMapper->SetViewDependent(on);
-}
-
-//------------------------------------------------------------------------------
-bool vtkGatunSurfaceRepresentation::GetViewDependent()
-{
-  return this->FrontMapper->GetViewDependent();
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunSurfaceRepresentation::SetPixelError(double pixels)
-{
-  this->FrontMapper->SetPixelError(pixels);
-  this->BackMapper->SetPixelError(pixels);
-}
-
-//------------------------------------------------------------------------------
-double vtkGatunSurfaceRepresentation::GetPixelError()
-{
-  return this->FrontMapper->GetPixelError();
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunSurfaceRepresentation::SetSimplificationRatio(double ratio)
-{
-  this->FrontMapper->SetSimplificationRatio(ratio);
-  this->BackMapper->SetSimplificationRatio(ratio);
-}
-
-//------------------------------------------------------------------------------
-double vtkGatunSurfaceRepresentation::GetSimplificationRatio()
-{
-  return this->FrontMapper->GetSimplificationRatio();
+  return this->FrontMapper->GetDetailPolicy();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkGatunSurfaceRepresentation::GetDrawnPoints()
 {
-  return this->DrawsFile ? this->FrontMapper->GetNumberOfDrawnPoints() : 0;
+  return this->DrawsFile ? GetStatistic(this->FrontMapper, "DrawnPoints") : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkGatunSurfaceRepresentation::GetDrawnChunks()
 {
-  return this->DrawsFile ? this->FrontMapper->GetNumberOfDrawnChunks() : 0;
+  return this->DrawsFile ? GetStatistic(this->FrontMapper, "DrawnChunks") : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkGatunSurfaceRepresentation::GetDecodedChunks()
 {
-  return this->FrontMapper->GetNumberOfDecodedChunks() +
-    this->BackMapper->GetNumberOfDecodedChunks();
+  return GetStatistic(this->FrontMapper, "DecodedChunks") +
+    GetStatistic(this->BackMapper, "DecodedChunks");
 }
 
 //------------------------------------------------------------------------------
@@ -270,7 +228,7 @@ vtkMultiProcessController* vtkGatunSurfaceRepresentation::FindController(vtkInfo
  * have failed to open the file. */
 void vtkGatunSurfaceRepresentation::ChooseLevels(vtkMultiProcessController* controller)
 {
-  if (!controller || !this->JustInTime)
+  if (!controller || !this->GetDetailPolicy()->GetJustInTime())
   {
     this->FrontMapper->ResetLevels();
     this->BackMapper->ResetLevels();
@@ -317,7 +275,6 @@ void vtkGatunSurfaceRepresentation::ConnectMappers(
     mapper->SetInputConnection(source->GetOutputPort());
     mapper->SetNumberOfPieces(controller ? controller->GetNumberOfProcesses() : 1);
     mapper->SetPiece(controller ? controller->GetLocalProcessId() : 0);
-    mapper->SetJustInTime(this->JustInTime);
   }
   this->CopySettings(this->Mapper, this->FrontMapper, this->FrontTime);
   this->CopySettings(this->BackfaceMapper, this->BackMapper, this->BackTime);
@@ -330,7 +287,6 @@ void vtkGatunSurfaceRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Style: " << this->Style << "\n";
-  os << indent << "JustInTime: " << (this->JustInTime ? "on" : "off") << "\n";
   os << indent << "DrawsFile: " << (this->DrawsFile ? "true" : "false") << "\n";
   os << indent << "FrontMapper:\n";
   this->FrontMapper->PrintSelf(os, indent.GetNextIndent());

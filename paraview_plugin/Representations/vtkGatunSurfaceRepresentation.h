@@ -43,6 +43,7 @@ VTK_ABI_NAMESPACE_BEGIN
 #endif
 
 class vtkDataSet;
+class vtkGatunDetailPolicy;
 class vtkGatunSurfaceMapper;
 class vtkMultiProcessController;
 
@@ -74,47 +75,12 @@ public:
 
   ///@{
   /**
-   * Whether a file with a hierarchy is drawn simplified while somebody interacts, so that an image
-   * takes the time that there is; see vtkGatunSurfaceMapper. Several processes agree on one level
-   * for each image, so that their parts fit together. Default: on.
+   * How far the surface of a file with a hierarchy is simplified; see vtkGatunSurfaceMapper.
+   * Several processes agree on one level for each image in motion, so that their parts fit
+   * together. Null sets a new policy, which draws the whole surface.
    */
-  void SetJustInTime(bool on);
-  bool GetJustInTime();
-  vtkBooleanMacro(JustInTime, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Seconds that an image may take then; 0: what VTK allocates to it. Default: 0.1.
-   */
-  void SetTimeBudget(double seconds);
-  double GetTimeBudget();
-  ///@}
-
-  ///@{
-  /**
-   * Whether the surface is then finer where the view needs it. Default: on.
-   */
-  void SetViewDependent(bool on);
-  bool GetViewDependent();
-  vtkBooleanMacro(ViewDependent, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The largest error in pixels of a file's surface in all images, 0 or more; 0 for all of the
-   * surface. Default: 0.
-   */
-  void SetPixelError(double pixels);
-  double GetPixelError();
-  ///@}
-
-  ///@{
-  /**
-   * Fraction of the points of a file that is removed in all images, 0 to 1. Default: 0.
-   */
-  void SetSimplificationRatio(double ratio);
-  double GetSimplificationRatio();
+  void SetDetailPolicy(vtkGatunDetailPolicy* policy);
+  vtkGatunDetailPolicy* GetDetailPolicy();
   ///@}
 
   /**
@@ -164,7 +130,6 @@ private:
   double FileBounds[6];
   bool ReadsFile = false; // whether this process has the handle of a file on demand
   bool DrawsFile = false;
-  bool JustInTime = true;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

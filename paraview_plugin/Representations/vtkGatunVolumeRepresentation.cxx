@@ -7,6 +7,7 @@
 #include "gatunMeshPiece.h"
 #include "gatunPieceSource.h"
 #include "gatunVolumeProp.h"
+#include "vtkGatunDetailPolicy.h"
 #include "vtkGatunFileHandle.h"
 #include "vtkGatunReader.h"
 #include "vtkGatunVolumeMapper.h"
@@ -31,7 +32,9 @@
 #include "vtkPVRenderViewDataDeliveryManager.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderer.h"
+#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVariant.h"
 #include "vtkVolumeProperty.h"
 #include "vtkVolumeRepresentationPreprocessor.h"
 
@@ -86,7 +89,8 @@ void MarkCells(vtkUnstructuredGrid* piece, gatun::DrawnFile file, vtkIdType own)
 
 //------------------------------------------------------------------------------
 vtkGatunVolumeRepresentation::vtkGatunVolumeRepresentation()
-  : File(std::make_unique<gatun::PieceSource>(vtkSmartPointer<vtkGatunReader>::New()))
+  : DetailPolicy(vtkSmartPointer<vtkGatunDetailPolicy>::New())
+  , File(std::make_unique<gatun::PieceSource>(vtkSmartPointer<vtkGatunReader>::New()))
   , Piece(vtkSmartPointer<vtkUnstructuredGrid>::New())
 {
   this->Actor = gatun::MakeVolumeProp();
@@ -94,7 +98,6 @@ vtkGatunVolumeRepresentation::vtkGatunVolumeRepresentation()
   this->Actor->SetLODMapper(this->LODMapper);
   this->Superclass::AddVolumeMapper("Gatun", this->VolumeMapper);
   this->Superclass::SetActiveVolumeMapper("Gatun");
-  this->VolumeMapper->SetTimeBudget(0.1);
 }
 
 vtkGatunVolumeRepresentation::~vtkGatunVolumeRepresentation() = default;
@@ -142,69 +145,31 @@ bool vtkGatunVolumeRepresentation::GetAutoAdjustSampleDistances()
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunVolumeRepresentation::SetJustInTime(bool on)
+void vtkGatunVolumeRepresentation::SetDetailPolicy(vtkGatunDetailPolicy* policy)
 {
-  this->JustInTime = on;
+  this->DetailPolicy = policy;
+  if (!policy)
+  {
+    this->DetailPolicy = vtkSmartPointer<vtkGatunDetailPolicy>::New();
+  }
 }
 
 //------------------------------------------------------------------------------
-bool vtkGatunVolumeRepresentation::GetJustInTime()
+vtkGatunDetailPolicy* vtkGatunVolumeRepresentation::GetDetailPolicy()
 {
-  return this->JustInTime;
+  return this->DetailPolicy;
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunVolumeRepresentation::SetTimeBudget(double seconds)
+vtkIdType vtkGatunVolumeRepresentation::GetStatistic(const char* name)
 {
-  this->VolumeMapper->SetTimeBudget(seconds);
-}
-
-//------------------------------------------------------------------------------
-double vtkGatunVolumeRepresentation::GetTimeBudget()
-{
-  return this->VolumeMapper->GetTimeBudget();
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunVolumeRepresentation::SetSimplificationRatio(double ratio)
-{
-  this->SimplificationRatio = ratio;
-}
-
-//------------------------------------------------------------------------------
-double vtkGatunVolumeRepresentation::GetSimplificationRatio()
-{
-  return this->SimplificationRatio;
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunVolumeRepresentation::SetViewDependent(bool on)
-{
-  this->VolumeMapper->SetViewDependent(on);
-}
-
-//------------------------------------------------------------------------------
-bool vtkGatunVolumeRepresentation::GetViewDependent()
-{
-  return this->VolumeMapper->GetViewDependent();
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunVolumeRepresentation::SetPixelError(double pixels)
-{
-  this->PixelError = pixels;
-}
-
-//------------------------------------------------------------------------------
-double vtkGatunVolumeRepresentation::GetPixelError()
-{
-  return this->PixelError;
+  return this->VolumeMapper->GetStatistics()->GetValueByName(0, name).ToTypeInt64();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkGatunVolumeRepresentation::GetDrawnPoints()
 {
-  return this->VolumeMapper->GetNumberOfDrawnPoints();
+  return this->GetStatistic("DrawnPoints");
 }
 
 //------------------------------------------------------------------------------
@@ -219,13 +184,13 @@ void vtkGatunVolumeRepresentation::SetActiveVolumeMapper(const char*) {}
 //------------------------------------------------------------------------------
 vtkIdType vtkGatunVolumeRepresentation::GetBytesRead()
 {
-  return this->Drawn ? static_cast<vtkIdType>(this->VolumeMapper->GetBytesRead()) : 0;
+  return this->Drawn ? this->GetStatistic("BytesRead") : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkGatunVolumeRepresentation::GetBytesSent()
 {
-  return static_cast<vtkIdType>(this->VolumeMapper->GetBytesSent());
+  return this->GetStatistic("BytesSent");
 }
 
 //------------------------------------------------------------------------------
@@ -355,8 +320,7 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
   this->VolumeMapper->SetController(this->FindController(inInfo, piece));
   const bool isParallel = this->VolumeMapper->GetController() != nullptr;
   this->VolumeMapper->SetImageProcess(isParallel ? this->FindImageProcess() : -1);
-  this->VolumeMapper->SetSimplificationRatio(this->SimplificationRatio);
-  this->VolumeMapper->SetPixelError(this->PixelError);
+  this->VolumeMapper->GetDetailPolicy()->DeepCopy(this->DetailPolicy);
   if (!piece && isParallel)
   {
     vtkNew<vtkUnstructuredGrid> none;
@@ -402,8 +366,10 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
     }
   }
   // The mapper would warn of a file without a hierarchy, and by default, nobody has asked for one.
-  this->VolumeMapper->SetJustInTime(
-    this->JustInTime && (!this->Drawn || this->Drawn->GetHasHierarchy()));
+  if (this->Drawn && !this->Drawn->GetHasHierarchy())
+  {
+    this->VolumeMapper->GetDetailPolicy()->JustInTimeOff();
+  }
   this->UpdateMapperParameters();
   this->VolumeMapper->ReduceBounds();
 }

@@ -47,6 +47,7 @@ VTK_ABI_NAMESPACE_BEGIN
 #endif
 
 class vtkDataSet;
+class vtkGatunDetailPolicy;
 class vtkGatunFileHandle;
 class vtkGatunVolumeMapper;
 class vtkMultiProcessController;
@@ -90,44 +91,13 @@ public:
 
   ///@{
   /**
-   * Whether the mesh is simplified while somebody interacts, so that an image takes the time that
-   * there is, before rays get fewer; see vtkGatunVolumeMapper. Several processes
-   * simplify files only, as parts of a mesh in memory that are simplified separately do not fit
-   * together. Of these, and of a file without a hierarchy, fewer rays are drawn.
-   * Default: on.
+   * How far the mesh is simplified; see vtkGatunVolumeMapper. Several processes simplify files
+   * only, as parts of a mesh in memory that are simplified separately do not fit together. Of
+   * these, and of a file without a hierarchy, fewer rays are drawn during an interaction. Null sets
+   * a new policy, which draws the whole mesh.
    */
-  void SetJustInTime(bool on);
-  bool GetJustInTime();
-  vtkBooleanMacro(JustInTime, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Seconds that an image may take then; 0: what VTK allocates to it. Default: 0.1.
-   */
-  void SetTimeBudget(double seconds);
-  double GetTimeBudget();
-  ///@}
-
-  ///@{
-  /**
-   * Part of the points that is merged away in all images, 0 to 1. With several processes it only
-   * has influence on meshes that are drawn from their file. Default: 0.
-   */
-  void SetSimplificationRatio(double ratio);
-  double GetSimplificationRatio();
-  ///@}
-
-  ///@{
-  /**
-   * How levels of detail follow the view; see the properties of vtkGatunVolumeMapper with these
-   * names.
-   */
-  void SetViewDependent(bool on);
-  bool GetViewDependent();
-  vtkBooleanMacro(ViewDependent, bool);
-  void SetPixelError(double pixels);
-  double GetPixelError();
+  void SetDetailPolicy(vtkGatunDetailPolicy* policy);
+  vtkGatunDetailPolicy* GetDetailPolicy();
   ///@}
 
   /**
@@ -173,6 +143,7 @@ private:
   vtkGatunVolumeRepresentation(const vtkGatunVolumeRepresentation&) = delete;
   void operator=(const vtkGatunVolumeRepresentation&) = delete;
 
+  vtkIdType GetStatistic(const char* name);
   void MakePiece(vtkDataObject* input);
   void DeliverPiece(vtkInformation* inInfo, vtkInformation* outInfo);
   void DeliverOutline(vtkInformation* inInfo);
@@ -182,14 +153,12 @@ private:
   int FindImageProcess();
   double ChooseUnitDistance();
 
+  vtkSmartPointer<vtkGatunDetailPolicy> DetailPolicy; // that of the mapper follows it
   vtkNew<vtkGatunVolumeMapper> VolumeMapper;
   std::unique_ptr<gatun::PieceSource> File;
   vtkSmartPointer<vtkGatunFileHandle> Drawn; // of the file that the mapper draws, while it does
   vtkSmartPointer<vtkUnstructuredGrid> Piece;
   vtkDataSet* Shown = nullptr; // what tells which arrays there are
-  bool JustInTime = true;
-  double SimplificationRatio = 0;
-  double PixelError = 0;
   double UnitDistance = 1;
   vtkIdType OwnCells = 0;     // of the outline or boundary that stands for a file, in this process
   vtkIdType CellsInPlace = 0; // the same of all processes
