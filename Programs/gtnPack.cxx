@@ -245,7 +245,7 @@ void AddPack(CLI::App& app, Settings& settings)
     "  gtn pack run.pvd run.gtn\n"
     "  gtn pack --point-tolerance abs:1e-6 surface.stl surface.gtn\n"
     "  gtn pack --tolerance pressure=abs:0.01 --tolerance '*=rel:1e-4' mesh.vtu mesh.gtn\n"
-    "  gtn pack --memory 2000 --spill /scratch large.pvtu large.gtn\n"
+    "  gtn pack --memory 2000 --spill /scratch large.vtu large.gtn\n"
     "  gtn pack -f crash.e crash.gtn\n"
     "  gtn pack --sets crash.e crash.gtn");
   AddForce(command, options->Overwrite);

@@ -30,7 +30,7 @@ LAYERS = {
     "Rendering": [CORE, "IO/Bridge", "IO", "Filters"],
     "Programs/Text": [CORE, "IO/Description"],
     "Programs/Output": [CORE, "IO/Bridge", "IO", "Filters", "Rendering", "Programs/Text"],
-    "Programs/Ranges": [CORE, "IO/Bridge", "Programs/Text"],
+    "Programs/Ranges": [CORE, "IO/Bridge", "IO", "Programs/Text"],
     "Programs/Input": [CORE, "IO/Bridge", "IO/Description", "IO", "Filters", "Rendering", "Programs/Text",
                        "Programs/Output", "Programs/Ranges"],
     "Programs/Options": [CORE, "IO/Bridge", "IO/Description", "IO", "Filters", "Rendering", "Programs/Text",
