@@ -4,6 +4,7 @@
 #ifndef gatunCellList_h
 #define gatunCellList_h
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -44,6 +45,26 @@ struct CellList
 
   bool operator==(const CellList&) const = default;
 };
+
+/** Whether a corner occurs twice. */
+inline bool HasTwice(std::span<const std::uint32_t> corners)
+{
+  constexpr std::size_t few = 32; // need no copy
+  if (corners.size() > few)
+  {
+    std::vector<std::uint32_t> sorted(corners.begin(), corners.end());
+    std::sort(sorted.begin(), sorted.end());
+    return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+  }
+  for (auto corner = corners.begin(); corner != corners.end(); ++corner)
+  {
+    if (std::find(corners.begin(), corner, *corner) != corner)
+    {
+      return true;
+    }
+  }
+  return false;
+}
 }
 
 #endif

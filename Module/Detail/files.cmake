@@ -2,7 +2,6 @@
 gatun_core_folder(Detail
   INCLUDES
     Support
-    Codec
     Format
     Merge
     Mesh

@@ -3,7 +3,8 @@ gatun_core_folder(Format
   INCLUDES
     Support
     Cells
-    Codec
+    Coding
+    Walk
   HEADERS
     gatunFieldData.h
     gatunLayers.h

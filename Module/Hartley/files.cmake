@@ -2,7 +2,7 @@
 gatun_core_folder(Hartley
   INCLUDES
     Support
-    Codec
+    Coding
     Format
   HEADERS
     gatunHartleyFile.h

@@ -2,7 +2,7 @@
 gatun_core_folder(Merge
   INCLUDES
     Support
-    Codec
+    Coding
   HEADERS
     gatunMergeTree.h
   EXPERIMENTAL_HEADERS

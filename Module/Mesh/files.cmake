@@ -3,7 +3,7 @@ gatun_core_folder(Mesh
   INCLUDES
     Support
     Cells
-    Codec
+    Walk
     Format
   HEADERS
     gatunFindCells.h

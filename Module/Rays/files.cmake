@@ -2,7 +2,6 @@
 gatun_core_folder(Rays
   INCLUDES
     Support
-    Codec
     Format
     Merge
     Mesh

@@ -3,7 +3,9 @@ gatun_core_folder(Read
   INCLUDES
     Support
     Cells
-    Codec
+    Coding
+    Walk
+    Values
     Format
     Merge
     Mesh

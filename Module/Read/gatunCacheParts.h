@@ -63,7 +63,7 @@ inline std::uint64_t BytesOf(const ChunkMesh& mesh)
   return sizeof(mesh) + BytesIn(walk.Tets) + BytesIn(walk.Parents) + BytesIn(walk.Sources) +
     BytesIn(walk.Records) + BytesIn(walk.EdgeLog) + BytesIn(walk.CellRecords) +
     BytesIn(mesh.CellRules) + BytesIn(mesh.Keys) + BytesIn(mesh.Rules) + BytesIn(mesh.UsedRules) +
-    BytesIn(mesh.Context.OwnIds) + BytesIn(mesh.Cells.Types) + BytesIn(mesh.Cells.Starts) +
+    BytesIn(mesh.OwnIds) + BytesIn(mesh.Cells.Types) + BytesIn(mesh.Cells.Starts) +
     BytesIn(mesh.Cells.Corners) + BytesIn(mesh.Cells.FaceStarts) + BytesIn(mesh.Cells.Faces);
 }
 }

@@ -78,7 +78,7 @@ void ChunkSetDecoder::StorePoints(const Job& job, std::size_t i, const ChunkMesh
   const auto& content = this->Content();
   const auto& info = content.GetTables().GetChunks()[this->Set.GetChunks()[i]];
   const auto& target = job.Target;
-  const auto& ownIds = mesh.Context.OwnIds;
+  const auto& ownIds = mesh.OwnIds;
   const Places pointIds{ points, info.FirstPoint };
   for (std::size_t own = 0; own < ownIds.size(); ++own)
   {
@@ -142,7 +142,7 @@ void ChunkSetDecoder::StoreChunk(Job& job, std::size_t i, const ChunkMesh& mesh)
   const auto chunk = this->Set.GetChunks()[i];
   const auto& info = this->Content().GetTables().GetChunks()[chunk];
   const auto& target = job.Target;
-  const auto& ownIds = mesh.Context.OwnIds;
+  const auto& ownIds = mesh.OwnIds;
 
   std::shared_ptr<const OrderPart> points, cells;
   if (job.NeedsPointOrder)
@@ -212,9 +212,9 @@ std::vector<std::uint64_t> ChunkSetDecoder::FindIds(
   const auto& content = this->Content();
   const auto chunk = this->Set.GetChunks()[i];
   std::vector<std::uint64_t> ids(mesh.Keys.size());
-  for (std::size_t own = 0; own < mesh.Context.OwnIds.size(); ++own)
+  for (std::size_t own = 0; own < mesh.OwnIds.size(); ++own)
   {
-    ids[mesh.Context.OwnIds[own]] = points(own);
+    ids[mesh.OwnIds[own]] = points(own);
   }
   std::vector<std::uint64_t> sharedPlaces;
   const auto entry = content.GetTables().GetChunk(chunk);

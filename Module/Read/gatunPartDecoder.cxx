@@ -3,6 +3,7 @@
 
 #include "gatunPartDecoder.h"
 
+#include "gatunArrayContext.h"
 #include "gatunCellCodec.h"
 #include "gatunCellSplitter.h"
 #include "gatunCellStore.h"
@@ -170,7 +171,6 @@ std::shared_ptr<const ChunkMesh> PartDecoder::DecodeMesh(
           : DecodeCells(frame, content.Cells->Shapes, connectivity, geometry));
     });
   this->CheckPolyhedra(chunk, *mesh);
-  mesh->MakeContext(ContextFits::None);
   this->Kept().Count(&ChunkCacheStatistics::MeshesDecoded);
   return KeepIn<ChunkMesh>(this->Kept(), { PartKind::ChunkMesh, chunk }, std::move(mesh));
 }
@@ -198,7 +198,7 @@ void PartDecoder::DecodePoints(std::uint32_t chunk, const ChunkMesh& mesh,
   std::span<ComponentKeys> keys, PartFits& fits) const
 {
   const auto mode = ArrayModes::Read(stream).Spatial;
-  auto context = mesh.Context;
+  auto context = MakePointContext(mesh);
   if (mode == SpatialMode::Fit)
   {
     this->FindFit(fits.Linear, PartKind::ChunkFit, chunk,
@@ -271,8 +271,8 @@ std::shared_ptr<const OrderPart> PartDecoder::GetPointOrder(
       this->DecodePoints(chunk, mesh, stream, { &ids, 1 }, { &keys, 1 }, fits);
       CheckBelow(keys.Now, content.Meta.Points);
     });
-  std::vector<Key> own(mesh.Context.OwnIds.size());
-  std::transform(mesh.Context.OwnIds.begin(), mesh.Context.OwnIds.end(), own.begin(),
+  std::vector<Key> own(mesh.OwnIds.size());
+  std::transform(mesh.OwnIds.begin(), mesh.OwnIds.end(), own.begin(),
     [&](std::uint32_t vertex) { return keys.Now[vertex]; });
   return KeepIn<OrderPart>(
     this->Kept(), key, std::make_shared<const OrderPart>(own, ids.GetType()));
@@ -524,7 +524,7 @@ std::shared_ptr<const ArrayPart> PartDecoder::DecodeChunkArray(std::uint32_t chu
         if (NeedsQuadraticFit(stream))
         {
           this->FindFit(
-            fits.Cells, PartKind::ChunkCellQuadratic, chunk, [&] { return mesh.FitCells(); });
+            fits.Cells, PartKind::ChunkCellQuadratic, chunk, [&] { return FitCells(mesh); });
         }
         DecodeCellValues(stream, { mesh.Walk.Parents, fits.Cells.get() }, domains, keys);
         return;

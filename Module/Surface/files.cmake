@@ -2,7 +2,6 @@
 gatun_core_folder(Surface
   INCLUDES
     Support
-    Codec
     Format
     Merge
     Mesh

@@ -3,7 +3,9 @@ gatun_core_folder(Write
   INCLUDES
     Support
     Cells
-    Codec
+    Coding
+    Walk
+    Values
     Format
     Merge
     Mesh

@@ -3,6 +3,7 @@
 
 #include "gatunMeshSection.h"
 
+#include "gatunArrayContext.h"
 #include "gatunCellCodec.h"
 #include "gatunChunkTets.h"
 #include "gatunFloatEnvironment.h"
@@ -477,13 +478,12 @@ void MeshSection::EncodeOrder(
   if (this->State.Options.Keep & KeepPoints)
   {
     const Domain ids(GetNumberType(this->State.Meta.Points));
-    chunk.Mesh.MakeContext(ContextFits::None);
     ComponentKeys keys;
     for (const auto point : chunk.PointOf)
     {
       keys.Now.push_back(part.GetPointNumber(point));
     }
-    streams.PointOrder = EncodePointValues(chunk.Mesh.Context, { &ids, 1 }, { &keys, 1 });
+    streams.PointOrder = EncodePointValues(MakePointContext(chunk.Mesh), { &ids, 1 }, { &keys, 1 });
   }
   if (this->State.Options.Keep & KeepCells)
   {

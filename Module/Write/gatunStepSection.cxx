@@ -3,6 +3,7 @@
 
 #include "gatunStepSection.h"
 
+#include "gatunArrayContext.h"
 #include "gatunDomainSurvey.h"
 #include "gatunFloatEnvironment.h"
 #include "gatunParallel.h"
@@ -449,13 +450,13 @@ std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
   auto& step = this->GetStep();
   auto& state = part.Chunks[chunk];
   const bool isFast = this->State.Options.FastArrays;
-  state.Mesh.MakeContext(!step.HasValues(Association::Point) ? ContextFits::None
-      : isFast                                               ? ContextFits::Linear
-                                                             : ContextFits::All);
+  const auto fits = isFast ? ContextFits::Linear : ContextFits::All;
+  const ArrayContext points(
+    state.Mesh, step.HasValues(Association::Point) ? fits : ContextFits::None);
   std::optional<QuadraticFit> cellFit;
   if (step.HasValues(Association::Cell) && !isFast)
   {
-    cellFit.emplace(state.Mesh.FitCells());
+    cellFit.emplace(FitCells(state.Mesh));
   }
   const CellContext cells{ state.Mesh.Walk.Parents, cellFit ? &*cellFit : nullptr };
   std::vector<Bytes> streams;
@@ -469,12 +470,12 @@ std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
     {
       auto keys = input.GetKeys(tuples);
       stream = ofPoints
-        ? EncodePointValues(state.Mesh.Context, input.Domains, keys, input.GetModeChoice())
+        ? EncodePointValues(points.GetPoints(), input.Domains, keys, input.GetModeChoice())
         : EncodeCellValues(cells, input.Domains, keys, input.GetModeChoice());
-      const auto own = ofPoints ? state.Mesh.Context.OwnIds.size() : tuples.size();
+      const auto own = ofPoints ? state.Mesh.OwnIds.size() : tuples.size();
       for (std::size_t i = 0; input.Rounded && i < own; ++i)
       {
-        const auto key = ofPoints ? state.Mesh.Context.OwnIds[i] : i;
+        const auto key = ofPoints ? state.Mesh.OwnIds[i] : i;
         input.TakeKeys(tuples[key], key, keys);
       }
     }
@@ -490,7 +491,7 @@ std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
       auto own = tuples;
       if (input.Description->Where == Association::Point)
       {
-        const auto& ids = state.Mesh.Context.OwnIds;
+        const auto& ids = state.Mesh.OwnIds;
         own.resize(ids.size());
         std::transform(ids.begin(), ids.end(), own.begin(), [&](Vertex v) { return tuples[v]; });
       }
@@ -500,9 +501,6 @@ std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
     ranges.resize(GetRangeCount(input.Description->Components));
     input.Include(ranges, tuples);
   }
-  state.Mesh.Fit.reset();
-  state.Mesh.Quadratic.reset();
-  state.Mesh.MakeContext(ContextFits::None);
   return streams;
 }
 

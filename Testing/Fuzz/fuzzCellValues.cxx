@@ -4,6 +4,7 @@
 // Any stream as the values of cell arrays, of shared points and of coordinates outside a walk.
 
 #include "fuzzMeshes.h"
+#include "gatunArrayCodec.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

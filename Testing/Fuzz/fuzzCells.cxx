@@ -23,7 +23,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
       const auto shapes = ShapeTable::Read(table);
       auto mesh = DecodeCells(frame, shapes, connectivity, geometry);
       fuzz::CheckCells(frame, mesh);
-      mesh.MakeContext(ContextFits::All);
+      ArrayContext(mesh, ContextFits::All);
       RestoreCorners(mesh.Cells, corners);
       fuzz::CheckCells(frame, mesh);
       fuzz::CheckTets(mesh);

@@ -15,9 +15,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   fuzz::Accepts(
     [&]
     {
-      auto mesh = DecodeChunk(frame, connectivity, geometry);
+      const auto mesh = DecodeChunk(frame, connectivity, geometry);
       fuzz::CheckChunk(frame, mesh);
-      mesh.MakeContext(ContextFits::All);
+      ArrayContext(mesh, ContextFits::All);
     });
   return 0;
 }

@@ -560,7 +560,7 @@ SmallChunk::SmallChunk()
   frame.SharedUsers.assign(shared, 1);
   const std::vector<PointKeys> own(keys.begin() + shared, keys.end());
   this->Mesh = EncodeChunk(frame, tets, own).Mesh;
-  this->Mesh.MakeContext(gatun::ContextFits::All);
+  this->Context.emplace(this->Mesh, ContextFits::All);
   for (Vertex v = 0; v < vertices; ++v)
   {
     if (this->Mesh.Walk.IsShared(v))

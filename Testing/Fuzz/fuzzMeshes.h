@@ -6,10 +6,11 @@
 // Meshes and values out of a fuzzer's bytes.
 
 #include "fuzzInput.h"
-#include "gatunChunkCodec.h"
+#include "gatunArrayContext.h"
 #include "gatunQuadraticFit.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace gatun::fuzz
@@ -75,8 +76,13 @@ class SmallChunk
 public:
   SmallChunk();
 
+  const PointContext& GetContext() const { return this->Context->GetPoints(); }
+
   ChunkMesh Mesh;
   std::vector<Vertex> SharedIds; // vertices whose values are known beforehand
+
+private:
+  std::optional<ArrayContext> Context;
 };
 }
 

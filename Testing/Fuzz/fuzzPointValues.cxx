@@ -4,6 +4,7 @@
 // Any stream as the values of point arrays, with and without a time step before.
 
 #include "fuzzMeshes.h"
+#include "gatunArrayCodec.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
@@ -13,7 +14,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   auto array = fuzz::TakePointArray(in, chunk);
   const auto stream = fuzz::Copy(in.TakeRest());
   if (fuzz::Accepts(
-        [&] { DecodePointValues(stream, chunk.Mesh.Context, array.Domains, array.Keys); }))
+        [&] { DecodePointValues(stream, chunk.GetContext(), array.Domains, array.Keys); }))
   {
     fuzz::CheckKeys(array);
   }

@@ -4,6 +4,7 @@
 // A chunk and arrays on it, encoded and decoded: what comes back must be what went in.
 
 #include "fuzzMeshes.h"
+#include "gatunArrayCodec.h"
 
 #include <cstdlib>
 
@@ -72,7 +73,7 @@ std::vector<ComponentKeys> TakeValues(
   return keys;
 }
 
-void TryValues(fuzz::Input& in, const EncodedChunk& encoded, ChunkMesh& decoded)
+void TryValues(fuzz::Input& in, const EncodedChunk& encoded, const ChunkMesh& decoded)
 {
   const bool hasBefore = in.TakeBool();
   {
@@ -80,7 +81,8 @@ void TryValues(fuzz::Input& in, const EncodedChunk& encoded, ChunkMesh& decoded)
     auto keys = TakeValues(in, decoded.Keys.size(), hasBefore, domains);
     const auto right = keys;
     Round(keys, domains, &decoded.Walk);
-    const auto stream = EncodePointValues(encoded.Mesh.Context, domains, keys);
+    const auto stream =
+      EncodePointValues(ArrayContext(encoded.Mesh, ContextFits::All).GetPoints(), domains, keys);
     const auto rounded = keys;
     for (std::size_t c = 0; c < keys.size(); ++c)
     {
@@ -89,7 +91,8 @@ void TryValues(fuzz::Input& in, const EncodedChunk& encoded, ChunkMesh& decoded)
         keys[c].Now[v] = decoded.Walk.IsShared(v) ? rounded[c].Now[v] : 0;
       }
     }
-    DecodePointValues(fuzz::Copy(stream), decoded.Context, domains, keys);
+    DecodePointValues(
+      fuzz::Copy(stream), ArrayContext(decoded, ContextFits::All).GetPoints(), domains, keys);
     Compare(keys, rounded, right, domains);
   }
   std::vector<Domain> domains;
@@ -132,8 +135,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
     }
   }
 
-  auto encoded = EncodeChunk(frame, tets, own);
-  auto decoded = DecodeChunk(frame, fuzz::Copy(encoded.Connectivity), fuzz::Copy(encoded.Geometry));
+  const auto encoded = EncodeChunk(frame, tets, own);
+  const auto decoded =
+    DecodeChunk(frame, fuzz::Copy(encoded.Connectivity), fuzz::Copy(encoded.Geometry));
   fuzz::CheckChunk(frame, decoded);
   Require(decoded.Keys == encoded.Mesh.Keys && decoded.Walk.Tets == encoded.Mesh.Walk.Tets);
   for (std::size_t t = 0; t < tets.size(); ++t)
@@ -151,8 +155,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
       Require(decoded.Keys[corners[i]] == right);
     }
   }
-  encoded.Mesh.MakeContext(ContextFits::All);
-  decoded.MakeContext(ContextFits::All);
   TryValues(in, encoded, decoded);
   return 0;
 }

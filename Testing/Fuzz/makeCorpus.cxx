@@ -6,6 +6,7 @@
 #include "makeCorpus.h"
 
 #include "fuzzMeshes.h"
+#include "gatunArrayCodec.h"
 #include "gatunCellCodec.h"
 #include "gatunCellMask.h"
 #include "gatunEntropy.h"
@@ -203,7 +204,7 @@ void AddArrays(Corpus& corpus, std::mt19937& random)
   auto points = fuzz::TakePointArray(pointNoise, chunk);
   fill(points, std::any_of(points.Domains.begin(), points.Domains.end(), isOnLattice));
   corpus.Add("PointValues",
-    Join(noise, pointNoise, EncodePointValues(chunk.Mesh.Context, points.Domains, points.Keys)));
+    Join(noise, pointNoise, EncodePointValues(chunk.GetContext(), points.Domains, points.Keys)));
   fuzz::Input cellNoise(noise.data(), noise.size());
   auto cells = fuzz::TakeCellArray(cellNoise);
   fill(cells,

@@ -6,19 +6,15 @@
 
 // Encoding of the mesh of a chunk as a connectivity and a geometry stream.
 
-#include "gatunArrayCodec.h"
 #include "gatunBytes.h"
 #include "gatunCellList.h"
 #include "gatunCellRules.h"
 #include "gatunGeometry.h"
-#include "gatunNeighborFit.h"
-#include "gatunQuadraticFit.h"
 #include "gatunTopology.h"
 #include "gatunTypes.h"
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,10 +22,6 @@ namespace gatun
 {
 /** The maximum number of tetrahedra in a chunk. All numbers in a chunk fit 32 bits. */
 constexpr std::uint32_t MaxChunkTets = 1u << 20;
-
-/** A connectivity stream has at least one byte for this number of tetrahedra, and a shared block
- * one byte for this number of points. This bounds the memory that a short file can request. */
-constexpr std::uint32_t MaxItemsPerByte = 256;
 
 /** The sizes of a chunk of cells that are not all tetrahedra. */
 struct CellCounts
@@ -51,20 +43,13 @@ struct ChunkFrame
   CellCounts Cells; // all 0 in a chunk of tetrahedra, where Tets counts
 };
 
-/** The weights of neighbors that a context has. */
-enum class ContextFits : std::uint8_t
-{
-  None,
-  Linear,
-  All ///< also those of quadratic functions
-};
-
 /** A mesh in the order of its walk, which is the order of its arrays. */
 struct ChunkMesh
 {
   Topology Walk;
   CellList Cells;                      // empty in a chunk of tetrahedra, otherwise Walk.Tets is
   std::vector<PointKeys> Keys;         // of all vertices in the order of the walk
+  std::vector<Vertex> OwnIds;          // the number of each own vertex in the walk
   PredictionRules Rules;               // of a chunk of tetrahedra
   std::vector<CellRule> CellRules;     // of another chunk, never empty there
   std::vector<std::uint8_t> UsedRules; // one for each own vertex
@@ -72,15 +57,6 @@ struct ChunkMesh
 
   /** The coordinates of all vertices. */
   std::vector<std::array<double, 3>> GetPlaces() const;
-
-  /** Prepares the context of point arrays. */
-  void MakeContext(ContextFits fits);
-  PointContext Context;
-  std::optional<NeighborFit> Fit;
-  std::optional<QuadraticFit> Quadratic;
-
-  /** The weights of the cells around each cell. The calling thread must have a FloatEnvironment. */
-  QuadraticFit FitCells() const;
 };
 
 /** The coordinates of points. */

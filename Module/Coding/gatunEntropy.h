@@ -18,6 +18,10 @@
 
 namespace gatun
 {
+/** A stream has at least one byte for this number of tetrahedra, of points of a shared block, or of
+ * values of a palette. This bounds the memory that a short file can request. */
+constexpr std::uint32_t MaxItemsPerByte = 256;
+
 /**
  * Adaptive probability that a decision is 1: 22 bits of probability and a count. The first
  * decisions have more weight than later ones.

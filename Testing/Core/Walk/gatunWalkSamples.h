@@ -120,7 +120,7 @@ inline void ExpectSafe(const TestCells& mesh)
       [&]
       {
         auto decoded = DecodeCells(chunk.Frame, shapes, connectivity, encoded.Geometry);
-        decoded.MakeContext(ContextFits::All);
+        ArrayContext(decoded, ContextFits::All);
         RestoreCorners(decoded.Cells, encoded.Corners);
       });
   }

@@ -5,6 +5,8 @@
 
 // Chunks of cells of any type for tests, and their round trip.
 
+#include "gatunArrayCodec.h"
+#include "gatunArrayContext.h"
 #include "gatunCellCodec.h"
 #include "gatunCellShapes.h"
 
@@ -219,10 +221,10 @@ inline bool IsSameCell(
 }
 
 /** Encodes and decodes values on points and cells with every mode. */
-inline void ExpectArrays(EncodedCells& encoded, ChunkMesh& decoded)
+inline void ExpectArrays(const EncodedCells& encoded, const ChunkMesh& decoded)
 {
-  encoded.Mesh.MakeContext(ContextFits::All);
-  decoded.MakeContext(ContextFits::All);
+  const ArrayContext ofEncoded(encoded.Mesh, ContextFits::All);
+  const ArrayContext ofDecoded(decoded, ContextFits::All);
   const Domain domain(ScalarType::Float32);
   std::vector<ComponentKeys> actual(1);
   for (const auto& place : decoded.GetPlaces())
@@ -232,7 +234,7 @@ inline void ExpectArrays(EncodedCells& encoded, ChunkMesh& decoded)
   std::vector<SpatialMode> modes{ SpatialMode::Fit, SpatialMode::Gate };
   for (const auto& fit : { true, false })
   {
-    auto context = encoded.Mesh.Context;
+    auto context = ofEncoded.GetPoints();
     context.Fit = fit ? context.Fit : nullptr;
     const auto stream = EncodePointValues(context, { &domain, 1 }, actual);
     auto found = actual;
@@ -240,7 +242,7 @@ inline void ExpectArrays(EncodedCells& encoded, ChunkMesh& decoded)
     {
       found[0].Now[v] = decoded.Walk.IsShared(v) ? found[0].Now[v] : 0;
     }
-    DecodePointValues(stream, decoded.Context, { &domain, 1 }, found);
+    DecodePointValues(stream, ofDecoded.GetPoints(), { &domain, 1 }, found);
     EXPECT_EQ(found[0].Now, actual[0].Now);
   }
   actual[0].Now.clear();

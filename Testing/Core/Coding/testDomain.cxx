@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "gatunDomain.h"
-#include "gatunPalette.h"
 
 #include <gtest/gtest.h>
 

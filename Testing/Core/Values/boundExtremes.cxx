@@ -5,7 +5,7 @@
 // in whole numbers: boundExtremes COUNT [SEED]. The exit code is 1 if any value is wrong.
 
 #include "gatunArrayCodec.h"
-#include "gatunChunkCodec.h"
+#include "gatunArrayContext.h"
 #include "gatunDomainSurvey.h"
 #include "gatunError.h"
 #include "gatunExactBound.h"
@@ -61,10 +61,10 @@ public:
       keys[i / 3][i % 3] = domain.FromNumber(mesh.Coordinates[i]);
     }
     this->Chunk = EncodeChunk(frame, tets, keys).Mesh;
-    this->Chunk.MakeContext(ContextFits::All);
-    this->CellFit.emplace(this->Chunk.FitCells());
+    this->Points.emplace(this->Chunk, ContextFits::All);
+    this->CellFit.emplace(FitCells(this->Chunk));
     this->BlockFit.emplace(this->Chunk.GetPlaces());
-    this->Plain = this->Chunk.Context;
+    this->Plain = this->Points->GetPoints();
     this->Plain.Quadratic = nullptr;
   }
 
@@ -95,7 +95,7 @@ public:
 private:
   const PointContext& GetPoints(unsigned which) const
   {
-    return which % 2 ? this->Chunk.Context : this->Plain;
+    return which % 2 ? this->Points->GetPoints() : this->Plain;
   }
   CellContext GetCells(unsigned which) const
   {
@@ -110,6 +110,7 @@ private:
   }
 
   ChunkMesh Chunk;
+  std::optional<ArrayContext> Points;
   PointContext Plain;
   std::optional<QuadraticFit> CellFit;
   std::optional<QuadraticFit> BlockFit;

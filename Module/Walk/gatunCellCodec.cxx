@@ -216,6 +216,7 @@ EncodedCells EncodeCells(const ChunkFrame& frame, const CellList& cells, const S
   result.Mesh = std::move(best.Mesh);
   auto& mesh = result.Mesh;
   mesh.Domains = frame.Domains;
+  mesh.OwnIds = mesh.Walk.FindOwnIds();
   mesh.Keys.resize(mesh.Walk.Sources.size());
   for (Vertex v = 0; v < mesh.Keys.size(); ++v)
   {
@@ -280,6 +281,7 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,
     list.Code(0);
   }
   builder.Finish();
+  mesh.OwnIds = mesh.Walk.FindOwnIds();
   return mesh;
 }
 }

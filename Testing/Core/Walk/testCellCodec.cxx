@@ -41,7 +41,7 @@ void ExpectNoCrash(
     {
       EXPECT_LT(v, mesh.Keys.size());
     }
-    mesh.MakeContext(ContextFits::All);
+    ArrayContext(mesh, ContextFits::All);
     RestoreCorners(mesh.Cells, corners);
   }
   catch (const Error& error)

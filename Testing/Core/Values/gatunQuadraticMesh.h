@@ -6,7 +6,7 @@
 
 // Chunks for tests of the quadratic modes.
 
-#include "gatunChunkCodec.h"
+#include "gatunArrayContext.h"
 #include "gatunTestMeshes.h"
 
 #include <array>
@@ -15,6 +15,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace gatun::test
@@ -22,8 +23,20 @@ namespace gatun::test
 constexpr double Inf = std::numeric_limits<double>::infinity();
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
+/** A chunk with the weights of neighbors. */
+struct QuadraticMesh : ChunkMesh
+{
+  explicit QuadraticMesh(ChunkMesh&& mesh)
+    : ChunkMesh(std::move(mesh))
+    , Context(*this, ContextFits::All)
+  {
+  }
+
+  ArrayContext Context;
+};
+
 /** A chunk of n^3 cubes, some vertices of which are shared. move: changes places. */
-inline std::unique_ptr<const ChunkMesh> MakeMesh(
+inline std::unique_ptr<const QuadraticMesh> MakeMesh(
   std::int64_t n, const std::function<void(double*)>& move = [](double*) {})
 {
   TestMesh mesh = MakeCubes(n, 0.2);
@@ -56,9 +69,7 @@ inline std::unique_ptr<const ChunkMesh> MakeMesh(
   frame.OwnPoints = static_cast<std::uint32_t>(own.size());
   frame.SharedKeys = shared;
   frame.SharedUsers.assign(shared.size(), 1);
-  auto result = std::make_unique<ChunkMesh>(EncodeChunk(frame, tets, own).Mesh);
-  result->MakeContext(ContextFits::All); // with pointers into it
-  return result;
+  return std::make_unique<QuadraticMesh>(EncodeChunk(frame, tets, own).Mesh);
 }
 
 /** Moves vertices so that neighborhoods are singular in several ways. */

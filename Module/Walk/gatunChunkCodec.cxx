@@ -369,57 +369,6 @@ std::vector<std::array<double, 3>> ChunkMesh::GetPlaces() const
 }
 
 //------------------------------------------------------------------------------
-QuadraticFit ChunkMesh::FitCells() const
-{
-  const bool areTets = this->Cells.Types.empty();
-  std::vector<std::uint32_t> starts, corners;
-  for (const auto& tet : this->Walk.Tets)
-  {
-    starts.push_back(static_cast<std::uint32_t>(corners.size()));
-    corners.insert(corners.end(), tet.begin(), tet.end());
-  }
-  starts.push_back(static_cast<std::uint32_t>(corners.size()));
-  return gatun::FitCells(areTets ? std::span<const std::uint32_t>(starts) : this->Cells.Starts,
-    areTets ? std::span<const std::uint32_t>(corners) : this->Cells.Corners, this->GetPlaces());
-}
-
-//------------------------------------------------------------------------------
-void ChunkMesh::MakeContext(ContextFits fits)
-{
-  this->Context.Mesh = &this->Walk;
-  this->Context.Rules = &this->Rules;
-  this->Context.CellRules = this->CellRules.empty() ? nullptr : &this->CellRules;
-  this->Context.UsedRules = this->UsedRules;
-  if (this->Context.OwnIds.size() != this->Walk.GetOwnVertices())
-  {
-    this->Context.OwnIds.resize(this->Walk.GetOwnVertices());
-    for (Vertex v = 0; v < this->Walk.Sources.size(); ++v)
-    {
-      if (!this->Walk.IsShared(v))
-      {
-        this->Context.OwnIds[this->Walk.Sources[v]] = v;
-      }
-    }
-  }
-  const bool needsFit = fits != ContextFits::None && !this->Fit;
-  const bool needsQuadratic = fits == ContextFits::All && !this->Quadratic;
-  if (needsFit || needsQuadratic)
-  {
-    const FloatEnvironment guard;
-    const auto places = this->GetPlaces();
-    if (needsFit)
-    {
-      this->Fit.emplace(this->Walk, places);
-    }
-    if (needsQuadratic)
-    {
-      this->Quadratic.emplace(this->Walk, places);
-    }
-  }
-  this->Context.Fit = this->Fit ? &*this->Fit : nullptr;
-  this->Context.Quadratic = this->Quadratic ? &*this->Quadratic : nullptr;
-}
-
 EncodedChunk EncodeChunk(const ChunkFrame& frame, Tets tets, std::span<const PointKeys> ownKeys)
 {
   const FloatEnvironment guard;
@@ -440,22 +389,15 @@ EncodedChunk EncodeChunk(const ChunkFrame& frame, Tets tets, std::span<const Poi
   auto& mesh = result.Mesh;
   mesh.Walk = std::move(best.Walk);
   mesh.Domains = frame.Domains;
+  mesh.OwnIds = mesh.Walk.FindOwnIds();
   mesh.Keys.resize(mesh.Walk.Sources.size());
-  std::vector<Vertex> ownIds(ownKeys.size());
   for (Vertex v = 0; v < mesh.Keys.size(); ++v)
   {
     const auto source = mesh.Walk.Sources[v];
-    if (mesh.Walk.IsShared(v))
-    {
-      mesh.Keys[v] = frame.SharedKeys[source & ~Topology::SharedFlag];
-    }
-    else
-    {
-      mesh.Keys[v] = ownKeys[result.OwnOrder[source]];
-      ownIds[source] = v;
-    }
+    mesh.Keys[v] = mesh.Walk.IsShared(v) ? frame.SharedKeys[source & ~Topology::SharedFlag]
+                                         : ownKeys[result.OwnOrder[source]];
   }
-  auto geometry = EncodeTetGeometry({ mesh.Walk, mesh.Keys, mesh.Domains }, ownIds);
+  auto geometry = EncodeTetGeometry({ mesh.Walk, mesh.Keys, mesh.Domains }, mesh.OwnIds);
   result.Geometry = std::move(geometry.Stream);
   mesh.Rules = std::move(geometry.Rules);
   mesh.UsedRules = std::move(geometry.UsedRules);
@@ -502,6 +444,7 @@ ChunkMesh DecodeChunk(const ChunkFrame& frame, std::span<const std::uint8_t> con
     std::vector<char> flips(mesh.Walk.Tets.size());
     CodeFlips(symbols, flips, mesh.Walk);
   }
+  mesh.OwnIds = mesh.Walk.FindOwnIds();
   return mesh;
 }
 }

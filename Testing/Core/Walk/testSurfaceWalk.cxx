@@ -220,9 +220,9 @@ void ExpectSafeSurface(const TestCells& mesh)
     }
     try
     {
-      auto decoded = DecodeCells(chunk.Frame, shapes, connectivity, encoded.Geometry);
+      const auto decoded = DecodeCells(chunk.Frame, shapes, connectivity, encoded.Geometry);
       EXPECT_EQ(decoded.Cells.GetNumber(), chunk.Cells.GetNumber());
-      decoded.MakeContext(ContextFits::All);
+      ArrayContext(decoded, ContextFits::All);
     }
     catch (const Error& error)
     {

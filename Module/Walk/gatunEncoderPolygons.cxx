@@ -12,23 +12,6 @@
 
 namespace gatun
 {
-namespace
-{
-
-bool HasTwice(std::span<const std::uint32_t> corners)
-{
-  for (std::size_t i = 1; i < corners.size(); ++i)
-  {
-    if (std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(i), corners[i]) !=
-      corners.begin() + static_cast<std::ptrdiff_t>(i))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-}
-
 //------------------------------------------------------------------------------
 EncoderPolygons::EncoderPolygons(const CellList& cells, const FormTable& forms)
   : Forms(forms)

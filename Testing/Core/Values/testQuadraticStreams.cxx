@@ -3,7 +3,7 @@
 
 // Streams of the modes Quadratic and PlainQuadratic.
 
-#include "gatunChunkCodec.h"
+#include "gatunArrayCodec.h"
 #include "gatunError.h"
 #include "gatunExactValues.h"
 #include "gatunFloatEnvironment.h"
@@ -28,17 +28,17 @@ using namespace gatun::test;
 
 /** Encodes and decodes values by all modes. Returns the spatial mode. */
 SpatialMode ExpectStreamRoundTrip(
-  const ChunkMesh& mesh, const Domain& domain, const ComponentKeys& actual)
+  const QuadraticMesh& mesh, const Domain& domain, const ComponentKeys& actual)
 {
   std::vector<ComponentKeys> keys{ actual };
   const FloatEnvironment guard;
-  const auto stream = EncodePointValues(mesh.Context, { &domain, 1 }, keys);
+  const auto stream = EncodePointValues(mesh.Context.GetPoints(), { &domain, 1 }, keys);
   std::vector<ComponentKeys> found{ actual };
-  for (const auto v : mesh.Context.OwnIds)
+  for (const auto v : mesh.OwnIds)
   {
     found[0].Now[v] = 0;
   }
-  DecodePointValues(stream, mesh.Context, { &domain, 1 }, found);
+  DecodePointValues(stream, mesh.Context.GetPoints(), { &domain, 1 }, found);
   EXPECT_EQ(found[0].Now, actual.Now);
   return ArrayModes::Read(stream).Spatial;
 }
@@ -75,10 +75,10 @@ TEST(QuadraticStreams, SmoothValuesOfAllTypesRoundTrip)
 
 /** Codes a component by one of the quadratic modes. */
 template <typename Coder>
-void CodeByMode(Coder& coder, SpatialMode spatial, TemporalMode temporal, const ChunkMesh& mesh,
+void CodeByMode(Coder& coder, SpatialMode spatial, TemporalMode temporal, const QuadraticMesh& mesh,
   const Domain& domain, ComponentKeys& keys)
 {
-  const OwnPoints places{ mesh.Context };
+  const OwnPoints places{ mesh.Context.GetPoints() };
   if (spatial == SpatialMode::Quadratic)
   {
     CodeQuadratic(coder, temporal, places, ExactValues(domain), keys);
@@ -91,7 +91,7 @@ void CodeByMode(Coder& coder, SpatialMode spatial, TemporalMode temporal, const 
 
 /** The same by both quadratic modes, whatever others would need. */
 void ExpectQuadraticRoundTrip(
-  const ChunkMesh& mesh, const Domain& domain, const ComponentKeys& actual)
+  const QuadraticMesh& mesh, const Domain& domain, const ComponentKeys& actual)
 {
   const FloatEnvironment guard;
   for (const auto spatial : { SpatialMode::Quadratic, SpatialMode::PlainQuadratic })
@@ -107,7 +107,7 @@ void ExpectQuadraticRoundTrip(
       CodeByMode(encoder, spatial, temporal, mesh, domain, keys);
       const auto stream = encoder.Finish();
       EntropyDecoder decoder(stream);
-      for (const auto v : mesh.Context.OwnIds)
+      for (const auto v : mesh.OwnIds)
       {
         keys.Now[v] = 0;
       }
@@ -145,7 +145,7 @@ TEST(QuadraticStreams, ValuesThatAreNotFiniteRoundTrip)
 
 /** Encodes one component after the other by the mode plain quadratic, and decodes all of them.
  * Returns the keys. */
-std::vector<ComponentKeys> ExpectComponentsRoundTrip(const ChunkMesh& mesh,
+std::vector<ComponentKeys> ExpectComponentsRoundTrip(const QuadraticMesh& mesh,
   std::span<const Domain> domains, TemporalMode temporal, const std::vector<ComponentKeys>& actual)
 {
   const FloatEnvironment guard;
@@ -154,9 +154,9 @@ std::vector<ComponentKeys> ExpectComponentsRoundTrip(const ChunkMesh& mesh,
   auto encoded = actual;
   for (std::size_t c = 0; c < keys.size(); ++c)
   {
-    CodePlain(encoder, temporal, OwnPoints{ mesh.Context }, false, domains.subspan(c, 1),
-      std::span(encoded).subspan(c, 1));
-    for (const auto v : mesh.Context.OwnIds)
+    CodePlain(encoder, temporal, OwnPoints{ mesh.Context.GetPoints() }, false,
+      domains.subspan(c, 1), std::span(encoded).subspan(c, 1));
+    for (const auto v : mesh.OwnIds)
     {
       keys[c].Now[v] = 0;
     }
@@ -165,7 +165,7 @@ std::vector<ComponentKeys> ExpectComponentsRoundTrip(const ChunkMesh& mesh,
     static_cast<std::uint8_t>(temporal) };
   const auto body = encoder.Finish();
   stream.insert(stream.end(), body.begin(), body.end());
-  DecodePointValues(stream, mesh.Context, domains, keys);
+  DecodePointValues(stream, mesh.Context.GetPoints(), domains, keys);
   for (std::size_t c = 0; c < keys.size(); ++c)
   {
     EXPECT_EQ(keys[c].Now, encoded[c].Now) << "component " << c << " of " << keys.size();
@@ -241,7 +241,7 @@ TEST(QuadraticStreams, BoundedComponentsDecodedTogetherKeepTheirBounds)
       {
         const auto isWithin = [&](Vertex v)
         { return roundings[c].IsWithin(ScalarType::Float64, keys[c].Now[v], found[c].Now[v]); };
-        const auto& own = mesh.Context.OwnIds;
+        const auto& own = mesh.OwnIds;
         EXPECT_TRUE(!roundings[c] || std::all_of(own.begin(), own.end(), isWithin)) << c;
         EXPECT_EQ(found[c].Now == keys[c].Now, !roundings[c]) << c;
       }
@@ -285,9 +285,9 @@ TEST(QuadraticStreams, ModesThatAreNotAllowedAreRejected)
   const Domain domain(ScalarType::Float64);
   std::vector<ComponentKeys> keys{ MakeKeys(mesh, domain, 1) };
   keys[0].Before.assign(keys[0].Now.size(), domain.FromNumber(0));
-  auto stream = EncodePointValues(mesh.Context, { &domain, 1 }, keys);
+  auto stream = EncodePointValues(mesh.Context.GetPoints(), { &domain, 1 }, keys);
   ASSERT_EQ(stream[0], 3);
-  auto context = mesh.Context;
+  auto context = mesh.Context.GetPoints();
   context.Quadratic = nullptr;
   for (const auto mode : { SpatialMode::Quadratic, SpatialMode::PlainQuadratic })
   {
@@ -297,12 +297,12 @@ TEST(QuadraticStreams, ModesThatAreNotAllowedAreRejected)
     EXPECT_THROW(DecodeCellValues(stream, { mesh.Walk.Parents }, { &domain, 1 }, keys), Error);
     stream[1] = 1;
     EXPECT_THROW(ArrayModes::Read(stream), Error);
-    EXPECT_THROW(DecodePointValues(stream, mesh.Context, { &domain, 1 }, keys), Error);
+    EXPECT_THROW(DecodePointValues(stream, mesh.Context.GetPoints(), { &domain, 1 }, keys), Error);
   }
   stream[0] = 5;
   stream[1] = 0;
   EXPECT_THROW(ArrayModes::Read(stream), Error);
-  EXPECT_THROW(DecodePointValues(stream, mesh.Context, { &domain, 1 }, keys), Error);
+  EXPECT_THROW(DecodePointValues(stream, mesh.Context.GetPoints(), { &domain, 1 }, keys), Error);
 }
 
 /** Decodes the residuals of a stream that write(coder, model) makes. */
@@ -381,7 +381,7 @@ TEST(QuadraticStreams, AnyStreamGivesKeysOrAnError)
     try
     {
       const FloatEnvironment guard;
-      DecodePointValues(stream, mesh.Context, { &domain, 1 }, keys);
+      DecodePointValues(stream, mesh.Context.GetPoints(), { &domain, 1 }, keys);
     }
     catch (const Error&)
     {

@@ -49,7 +49,7 @@ class QuadraticFit;
 struct PointContext
 {
   const Topology* Mesh = nullptr;
-  std::vector<Vertex> OwnIds;                       // the number of each own vertex in the walk
+  std::span<const Vertex> OwnIds;                   // the number of each own vertex in the walk
   const PredictionRules* Rules = nullptr;           // of the geometry of a chunk of tetrahedra
   const std::vector<CellRule>* CellRules = nullptr; // and of another chunk, otherwise null
   std::span<const std::uint8_t> UsedRules;          // the rule of each own vertex

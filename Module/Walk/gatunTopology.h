@@ -88,6 +88,20 @@ struct Topology
 
   std::size_t GetOwnVertices() const { return this->Records.size() + this->CellRecords.size(); }
   bool IsShared(Vertex v) const { return (this->Sources[v] & SharedFlag) != 0; }
+
+  /** The number of each own vertex in the walk. */
+  std::vector<Vertex> FindOwnIds() const
+  {
+    std::vector<Vertex> ids(this->GetOwnVertices());
+    for (Vertex v = 0; v < this->Sources.size(); ++v)
+    {
+      if (!this->IsShared(v))
+      {
+        ids[this->Sources[v]] = v;
+      }
+    }
+    return ids;
+  }
 };
 }
 

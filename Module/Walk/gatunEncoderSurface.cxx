@@ -21,13 +21,6 @@ std::uint32_t CountCorners(const CellList& cells, std::uint32_t cell)
   const bool fits = HasAllNodes(cells.Types[cell], degree, points);
   return fits && degree >= 3 && degree <= MaxWalkedCorners ? degree : 0;
 }
-
-bool HasTwice(std::span<const std::uint32_t> corners)
-{
-  std::vector<std::uint32_t> sorted(corners.begin(), corners.end());
-  std::sort(sorted.begin(), sorted.end());
-  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
-}
 }
 
 //------------------------------------------------------------------------------

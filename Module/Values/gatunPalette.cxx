@@ -4,7 +4,7 @@
 #include "gatunPalette.h"
 
 #include "gatunArrayCodec.h"
-#include "gatunChunkCodec.h"
+#include "gatunEntropy.h"
 #include "gatunProgression.h"
 
 #include <algorithm>

@@ -69,7 +69,7 @@ TEST(QuadraticFit, NeighborsAreTheNearestKnownVertices)
   std::size_t full = 0;
   for (std::size_t own = 0; own < known.size(); ++own)
   {
-    const auto v = mesh.Context.OwnIds[own];
+    const auto v = mesh.OwnIds[own];
     const auto distance = [&](Vertex u)
     {
       double square = 0;
@@ -190,14 +190,14 @@ TEST(QuadraticFit, PredictsQuadraticFunctions)
   { return 3 + p[0] - 2 * p[1] + 0.5 * p[0] * p[2] - 0.25 * p[1] * p[1]; };
   double quadratic = 0, linear = 0;
   std::size_t count = 0;
-  for (std::size_t own = 0; own < mesh.Context.OwnIds.size(); ++own)
+  for (std::size_t own = 0; own < mesh.OwnIds.size(); ++own)
   {
-    const auto neighbors = mesh.Quadratic->Of(own);
+    const auto neighbors = mesh.Context.GetPoints().Quadratic->Of(own);
     if (neighbors.GetCount() < NeighborLists::MaxNeighbors)
     {
       continue;
     }
-    const double actual = value(places[mesh.Context.OwnIds[own]]);
+    const double actual = value(places[mesh.OwnIds[own]]);
     double a = 0, b = 0;
     for (std::size_t i = 0; i < neighbors.GetCount(); ++i)
     {
@@ -218,9 +218,9 @@ TEST(QuadraticFit, WeightsOfSingularNeighborhoodsAreFiniteAndSmall)
   const auto meshHeld = MakeMesh(6, MoveToSingular);
   const auto& mesh = *meshHeld;
   std::size_t equal = 0;
-  for (std::size_t own = 0; own < mesh.Context.OwnIds.size(); ++own)
+  for (std::size_t own = 0; own < mesh.OwnIds.size(); ++own)
   {
-    const auto neighbors = mesh.Quadratic->Of(own);
+    const auto neighbors = mesh.Context.GetPoints().Quadratic->Of(own);
     double quadratic = 0, linear = 0, share = 0;
     for (std::size_t i = 0; i < neighbors.GetCount(); ++i)
     {

@@ -1,0 +1,19 @@
+# Coding: values to keys and steps, and the range coder with its models.
+gatun_core_folder(Coding
+  INCLUDES
+    Support
+  HEADERS
+    gatunErrorBound.h
+  PRIVATE_HEADERS
+    gatunDomain.h
+    gatunEntropy.h
+    gatunNumberModel.h
+    gatunPlainKeys.h
+    gatunQuantizer.h
+    gatunResidual.h
+    gatunScale.h
+  SOURCES
+    gatunEntropy.cxx
+    gatunErrorBound.cxx
+    gatunQuantizer.cxx
+    gatunScale.cxx)

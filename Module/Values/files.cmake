@@ -1,0 +1,44 @@
+# Values: the values of a chunk to their streams and back, predicted from its mesh.
+gatun_core_folder(Values
+  INCLUDES
+    Support
+    Coding
+    Walk
+  PRIVATE_HEADERS
+    gatunArrayCodec.h
+    gatunArrayContext.h
+    gatunBoundedSteps.h
+    gatunBoundedValues.h
+    gatunDomainSurvey.h
+    gatunExactValues.h
+    gatunGuess.h
+    gatunNearestPicker.h
+    gatunNeighborFit.h
+    gatunNeighborLists.h
+    gatunPalette.h
+    gatunPlainCoder.h
+    gatunPlainResiduals.h
+    gatunPointContext.h
+    gatunProgression.h
+    gatunQuadraticCoder.h
+    gatunQuadraticFit.h
+    gatunQuadraticLanes.h
+    gatunQuadraticLoops.h
+    gatunQuadraticPlaces.h
+    gatunQuadraticPredictor.h
+    gatunScaleSurvey.h
+  SOURCES
+    gatunArrayCodec.cxx
+    gatunArrayContext.cxx
+    gatunNeighborFit.cxx
+    gatunPalette.cxx
+    gatunPointContext.cxx
+    gatunProgression.cxx
+    gatunQuadraticFit.cxx
+    gatunScaleSurvey.cxx
+    # Compiled alone, and so last: the others share a group of a unity build.
+    gatunBlockNeighbors.cxx
+    gatunCellNeighbors.cxx
+    gatunNeighborLists.cxx
+    gatunQuadraticLanesAVX2.cxx
+    gatunQuadraticLanesPortable.cxx)
