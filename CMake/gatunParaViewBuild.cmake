@@ -1,9 +1,10 @@
 # The build of the ParaView plugin: the same module folders, against ParaView's own VTK.
 
-# Named, because all components would need the developer packages of all that the window uses.
+# Named, because all components would need the developer packages of all that ParaView's window uses. The
+# optional ones bring targets that the others link.
 find_package(ParaView 5.11 REQUIRED
   COMPONENTS          ProcessXML RemotingViews VTKExtensionsFiltersRendering VTKExtensionsIOCore WrapClientServer
-  OPTIONAL_COMPONENTS PythonInitializer)
+  OPTIONAL_COMPONENTS PythonInitializer VTKExtensionsIOExodus VTKExtensionsIOGeneral)
 
 if (NOT PARAVIEW_USE_QT AND NOT PARAVIEW_USE_PYTHON)
   message(STATUS "Gatun: this ParaView has neither a window nor Python; the plugin is built anyway.")
