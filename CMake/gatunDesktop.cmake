@@ -2,16 +2,13 @@
 set(gatun_packaging_folder "${PROJECT_SOURCE_DIR}/Packaging")
 if (GATUN_BUILD_PARAVIEW_PLUGIN)
   install(FILES "${gatun_packaging_folder}/gatun-paraview.desktop"
-    DESTINATION "${CMAKE_INSTALL_DATADIR}/applications"
-    COMPONENT   plugin)
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
 else ()
   install(FILES "${gatun_packaging_folder}/gatun.xml"
-    DESTINATION "${CMAKE_INSTALL_DATADIR}/mime/packages"
-    COMPONENT   data)
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/mime/packages")
   install(
     FILES
       "${gatun_packaging_folder}/icons/application-x-gatun-mesh.svg"
       "${gatun_packaging_folder}/icons/application-x-gatun-volume.svg"
-    DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/mimetypes"
-    COMPONENT   data)
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/mimetypes")
 endif ()

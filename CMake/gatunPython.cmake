@@ -1,17 +1,30 @@
-# The Python package gatun: the sources of Python/gatun beside the wrapped modules, and type stubs.
+# The Python package gatun: the sources of Python/gatun, the wrapped modules, and type stubs.
 #
-#   gatun_add_python_package(DESTINATION <folder> MODULES <wrapped module>...)
+#   gatun_add_python_package(MODULES <module>... LIBRARY_DESTINATION <folder>)
 #
-# DESTINATION is the folder of Python modules, from the build tree and from the prefix. MODULES are as
-# vtk_module_wrap_python gives them, such as VTK::GatunIO. gatun_python_path is set to the folder in the
-# build tree. The stubs of vtkGatunTetGen are in the install component of that module, which may be left
-# out of an installation.
+# MODULES are those to wrap, such as VTK::GatunIO, and LIBRARY_DESTINATION is where their libraries are
+# installed. Sets gatun_python_destination, the folder of Python modules below the prefix, and
+# gatun_python_path, the same in the build tree. A wrapped module fits one VTK and is in a folder named after
+# it, so that the modules of the VTK build and of the ParaView build can be installed together.
 function (gatun_add_python_package)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "DESTINATION" "MODULES")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "LIBRARY_DESTINATION" "MODULES")
   set(source "${PROJECT_SOURCE_DIR}/Python")
-  set(folder "${CMAKE_BINARY_DIR}/${arg_DESTINATION}/gatun")
+  set(folder "${CMAKE_BINARY_DIR}/${VTK_PYTHONPATH}/gatun")
+  set(destination "${VTK_PYTHONPATH}/gatun")
 
-  string(REPLACE "VTK::" "vtk" names "${arg_MODULES}")
+  vtk_module_wrap_python(
+    MODULES             ${arg_MODULES}
+    TARGET              GatunPython
+    WRAPPED_MODULES     wrapped
+    PYTHON_PACKAGE      gatun
+    MODULE_DESTINATION  "${destination}/vtk${VTK_VERSION}"
+    LIBRARY_DESTINATION "${arg_LIBRARY_DESTINATION}"
+    CMAKE_DESTINATION   "${CMAKE_INSTALL_LIBDIR}/cmake/gatun"
+    UTILITY_TARGET      gatunSanitizers
+    BUILD_STATIC        OFF
+    INSTALL_HEADERS     OFF)
+
+  string(REPLACE "VTK::" "vtk" names "${wrapped}")
   # Modules are searched in this order. VTK's rendering is loaded for classes that need it.
   foreach (name IN ITEMS vtkGatunFilters vtkGatunIO)
     if ("${name}" IN_LIST names)
@@ -32,24 +45,24 @@ function (gatun_add_python_package)
   endforeach ()
 
   # The stubs are made by loading the modules, which a program with sanitizers or for another machine
-  # does not let Python do.
-  if (NOT CMAKE_CROSSCOMPILING AND NOT GATUN_SANITIZE)
+  # does not let Python do, nor a ParaView outside the folders of the system.
+  if (NOT CMAKE_CROSSCOMPILING AND NOT GATUN_SANITIZE AND NOT GATUN_BUILD_PARAVIEW_PLUGIN)
     set(stubs "${folder}/__init__.pyi")
     set(targets)
     set(headers)
-    foreach (module IN LISTS arg_MODULES)
+    foreach (module IN LISTS wrapped)
       string(REPLACE "VTK::" "" name "${module}")
       list(APPEND stubs "${folder}/vtk${name}.pyi")
       list(APPEND targets "vtk${name}Python")
     endforeach ()
-    foreach (module IN LISTS gatun_module_files ITEMS "${PROJECT_SOURCE_DIR}/Filters/TetGen/vtk.module")
+    foreach (module IN LISTS gatun_module_files)
       get_filename_component(module "${module}" DIRECTORY)
       list(APPEND headers "${module}")
     endforeach ()
     add_custom_command(
       OUTPUT  ${stubs}
       COMMAND "${CMAKE_COMMAND}" -E env
-              "PYTHONPATH=${CMAKE_BINARY_DIR}/${arg_DESTINATION}:$ENV{PYTHONPATH}"
+              "PYTHONPATH=${CMAKE_BINARY_DIR}/${VTK_PYTHONPATH}:$ENV{PYTHONPATH}"
               "PYTHONDONTWRITEBYTECODE=1"
               "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/CMake/generate_stubs.py" "${folder}" ${headers}
       DEPENDS "${PROJECT_SOURCE_DIR}/CMake/generate_stubs.py" ${files} ${targets}
@@ -59,14 +72,8 @@ function (gatun_add_python_package)
     list(APPEND files ${stubs})
   endif ()
 
-  set(tetgen_files ${files})
-  list(FILTER tetgen_files INCLUDE REGEX "/vtkGatunTetGen\\.pyi$")
-  list(FILTER files EXCLUDE REGEX "/vtkGatunTetGen\\.pyi$")
-  install(FILES ${tetgen_files}
-    DESTINATION "${arg_DESTINATION}/gatun"
-    COMPONENT   tetgen_python)
   install(FILES ${files}
-    DESTINATION "${arg_DESTINATION}/gatun"
-    COMPONENT   python)
-  set(gatun_python_path "${CMAKE_BINARY_DIR}/${arg_DESTINATION}" PARENT_SCOPE)
+    DESTINATION "${destination}")
+  set(gatun_python_destination "${VTK_PYTHONPATH}" PARENT_SCOPE)
+  set(gatun_python_path "${CMAKE_BINARY_DIR}/${VTK_PYTHONPATH}" PARENT_SCOPE)
 endfunction ()

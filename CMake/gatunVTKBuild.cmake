@@ -57,11 +57,7 @@ find_package(VTK 9.1 REQUIRED
 
 set(gatun_cmake_destination "${CMAKE_INSTALL_LIBDIR}/cmake/gatun")
 set(gatun_headers_destination "${CMAKE_INSTALL_INCLUDEDIR}/gatun")
-# Libraries of packages are in the folders of the system.
 set(CMAKE_INSTALL_RPATH "$ORIGIN")
-if (GATUN_PACKAGING)
-  set(CMAKE_INSTALL_RPATH "")
-endif ()
 
 vtk_module_scan(
   MODULE_FILES      ${gatun_module_files}
@@ -85,83 +81,13 @@ vtk_module_build(
   UTILITY_TARGET      gatunBuildFlags
   TEST_DIRECTORY_NAME NONE)
 
-# The library around TetGen has a CMake package and install components of its own, so that it need not be
-# installed along with the others.
-set(gatun_tetgen_modules)
-if (GATUN_ENABLE_TETGEN)
-  vtk_module_scan(
-    MODULE_FILES      "${CMAKE_CURRENT_SOURCE_DIR}/Filters/TetGen/vtk.module"
-    WANT_BY_DEFAULT   ON
-    HIDE_MODULES_FROM_CACHE ON
-    PROVIDES_MODULES  gatun_tetgen_modules
-    REQUIRES_MODULES  gatun_tetgen_required_modules)
-  vtk_module_build(
-    MODULES             ${gatun_tetgen_modules}
-    PACKAGE             GatunTetGen
-    VERSION             "${PROJECT_VERSION}"
-    SOVERSION           "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}"
-    INSTALL_EXPORT      GatunTetGen
-    INSTALL_HEADERS     ON
-    HEADERS_DESTINATION "${gatun_headers_destination}"
-    CMAKE_DESTINATION   "${gatun_cmake_destination}"
-    LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-    ARCHIVE_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-    RUNTIME_DESTINATION "${CMAKE_INSTALL_BINDIR}"
-    TARGETS_COMPONENT   tetgen
-    HEADERS_COMPONENT   tetgen_development
-    UTILITY_TARGET      gatunBuildFlags
-    TEST_DIRECTORY_NAME NONE)
-  list(APPEND gatun_required_modules ${gatun_tetgen_required_modules})
-  list(REMOVE_DUPLICATES gatun_required_modules)
-endif ()
-
 #--------------------------------------------------------------------------------------------------
 # Python: `from gatun import vtkGatunReader`, from the build tree as well as once installed.
 if (GATUN_WRAP_PYTHON)
-  vtk_module_python_default_destination(gatun_python_destination)
   include(gatunPython)
-
-  vtk_module_wrap_python(
-    MODULES             ${gatun_modules}
-    TARGET              GatunPython
-    WRAPPED_MODULES     gatun_wrapped_modules
-    PYTHON_PACKAGE      gatun
-    MODULE_DESTINATION  "${gatun_python_destination}"
-    LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-    CMAKE_DESTINATION   "${gatun_cmake_destination}"
-    UTILITY_TARGET      gatunSanitizers
-    BUILD_STATIC        OFF
-    INSTALL_HEADERS     OFF)
-  set(gatun_wrapped_tetgen_modules)
-  if (GATUN_ENABLE_TETGEN)
-    vtk_module_wrap_python(
-      MODULES             ${gatun_tetgen_modules}
-      TARGET              GatunTetGenPython
-      WRAPPED_MODULES     gatun_wrapped_tetgen_modules
-      PYTHON_PACKAGE      gatun
-      MODULE_DESTINATION  "${gatun_python_destination}"
-      LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-      CMAKE_DESTINATION   "${gatun_cmake_destination}"
-      COMPONENT           tetgen_python
-      UTILITY_TARGET      gatunSanitizers
-      BUILD_STATIC        OFF
-      INSTALL_HEADERS     OFF)
-  endif ()
-
-  # The modules would look for the libraries in a path of their own, which are in those of the system.
-  if (GATUN_PACKAGING)
-    get_directory_property(targets BUILDSYSTEM_TARGETS)
-    foreach (target IN LISTS targets)
-      get_target_property(type "${target}" TYPE)
-      if (type STREQUAL "MODULE_LIBRARY")
-        set_target_properties("${target}" PROPERTIES INSTALL_RPATH "")
-      endif ()
-    endforeach ()
-  endif ()
-
   gatun_add_python_package(
-    DESTINATION "${gatun_python_destination}"
-    MODULES     ${gatun_wrapped_modules} ${gatun_wrapped_tetgen_modules})
+    MODULES             ${gatun_modules}
+    LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 endif ()
 
 #--------------------------------------------------------------------------------------------------
@@ -172,13 +98,6 @@ vtk_module_export_find_packages(
   CMAKE_DESTINATION "${gatun_cmake_destination}"
   FILE_NAME         "Gatun-vtk-module-find-packages.cmake"
   MODULES           ${gatun_modules})
-if (GATUN_ENABLE_TETGEN)
-  vtk_module_export_find_packages(
-    CMAKE_DESTINATION "${gatun_cmake_destination}"
-    FILE_NAME         "GatunTetGen-vtk-module-find-packages.cmake"
-    COMPONENT         tetgen_development
-    MODULES           ${gatun_tetgen_modules})
-endif ()
 
 # What the installed libraries need from VTK, as component names.
 set(gatun_required_components ${gatun_required_modules})
@@ -198,14 +117,9 @@ install(
     "${CMAKE_BINARY_DIR}/${gatun_cmake_destination}/GatunConfig.cmake"
     "${CMAKE_BINARY_DIR}/${gatun_cmake_destination}/GatunConfigVersion.cmake"
     "${CMAKE_CURRENT_SOURCE_DIR}/CMake/FindxxHash.cmake"
-  DESTINATION "${gatun_cmake_destination}"
-  COMPONENT   development)
-# Packages have it in the form that Debian wants.
-if (NOT GATUN_PACKAGING)
-  install(FILES LICENSE
-    DESTINATION "${CMAKE_INSTALL_DOCDIR}"
-    COMPONENT   runtime)
-endif ()
+  DESTINATION "${gatun_cmake_destination}")
+install(FILES LICENSE
+  DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
 #--------------------------------------------------------------------------------------------------
 # Pages of the headers

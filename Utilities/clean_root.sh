@@ -113,7 +113,8 @@ run_inside() {
     local command=("Utilities/setup.sh" "$name")
     case $name in
       ci) command=(.ci/run) ;;
-      use) command=(Utilities/use_packages.sh /packages) ;;
+      use) command=(sh -c 'apt-get -qq update && apt-get -qq -y install --no-install-recommends autopkgtest \
+        >/dev/null && exec autopkgtest --no-built-binaries /packages/*.deb . -- null') ;;
     esac
     say "Debian $(cat "$root/etc/debian_version"): ${command[*]}"
     start=$SECONDS

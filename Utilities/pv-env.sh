@@ -21,7 +21,7 @@ if [ -d "$prefix" ]; then
   libraries=$(dirname "$(echo "$prefix"/lib/*/cmake)")
   settings+=(
     "PATH=$prefix/bin:$PATH"
-    "PYTHONPATH=$prefix/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}"
+    "PYTHONPATH=$prefix/lib/python3/dist-packages:$build/paraview/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}"
     "LD_LIBRARY_PATH=$libraries${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}")
 fi
 plugin=$(find "$build/paraview" -name Gatun.so -print -quit 2>/dev/null || true)

@@ -56,18 +56,15 @@ packages_test=(
 packages_ci=(ccache)
 packages_bench=(draco libmeshoptimizer-dev libzfp-dev openctm-tools python3-matplotlib)
 packages_soak=(clang libclang-rt-dev libgtest-dev)
-packages_package=(dpkg-dev file lintian)
+packages_package=(dpkg-dev lintian)
 packages_docs=(doxygen)
 packages_lint=(clang-format clang-tidy git python3)
-# ParaView itself, its window's libraries, and the imports of its Python modules.
+# ParaView itself, the imports of its Python modules, and what its plugins need to write their help.
 packages_paraview=(mpi-default-bin paraview paraview-dev python3-mpi4py)
 if [ "$(. /etc/os-release && echo "${VERSION_CODENAME:-}")" = bookworm ]; then
-  packages_paraview+=(
-    libqt5opengl5-dev libqt5svg5-dev libqt5x11extras5-dev qtbase5-dev qtdeclarative5-dev
-    qttools5-dev qtxmlpatterns5-dev-tools)
+  packages_paraview+=(qttools5-dev)
 else
-  packages_paraview+=(
-    qt6-5compat-dev qt6-base-dev qt6-declarative-dev qt6-svg-dev qt6-tools-dev)
+  packages_paraview+=(qt6-tools-dev)
 fi
 
 say() {
@@ -108,11 +105,15 @@ install_packages() {
     die "missing packages: ${missing[*]}"
   fi
   say "Installing ${missing[*]}"
+  run_apt install "${missing[@]}"
+}
+
+# run_apt install|build-dep <argument>...
+run_apt() {
   # A plain `apt-get update` first: package lists may be missing, or too old to be of use.
   as_root apt-get -qq update
   as_root env DEBIAN_FRONTEND=noninteractive \
-    apt-get -qq -y -o Dpkg::Use-Pty=0 install --no-install-recommends "${missing[@]}" \
-    </dev/null >"$build/apt.log" 2>&1 || {
+    apt-get -qq -y --no-install-recommends -o Dpkg::Use-Pty=0 "$@" </dev/null >"$build/apt.log" 2>&1 || {
     tail -n 30 "$build/apt.log" >&2
     die "apt-get failed; all it said is in $build/apt.log"
   }
@@ -269,27 +270,27 @@ list_packages() {
 }
 
 run_package() {
-  local folder=$build/packages tree
-  install_packages "${packages_build[@]}" "${packages_paraview[@]}" "${packages_package[@]}"
-  find_paraview
-  # Files in packages have the time of the commit, so that the same sources give the same packages.
-  if [ -z "${SOURCE_DATE_EPOCH:-}" ] && git -C "$root" rev-parse HEAD >/dev/null 2>&1; then
-    SOURCE_DATE_EPOCH=$(git -C "$root" log -1 --format=%ct)
-    export SOURCE_DATE_EPOCH
+  local folder=$build/packages source=$build/package/gatun missing
+  install_packages "${packages_package[@]}"
+  if ! missing=$(dpkg-checkbuilddeps "$root/debian/control" 2>&1); then
+    [ -z "${GATUN_NO_INSTALL:-}" ] || die "$missing"
+    say "Installing build dependencies"
+    run_apt build-dep "$root"
   fi
-  build_tree package
-  build_paraview package-paraview
-
-  rm -rf "$folder"
-  mkdir -p "$folder"
-  for tree in package package-paraview; do
-    say "Packing $build/$tree"
-    cpack --config "$build/$tree/CPackConfig.cmake" -B "$folder" >"$build/$tree.cpack.log" 2>&1 || {
-      cat "$build/$tree.cpack.log" >&2
-      die "cpack failed"
-    }
-  done
-  rm -rf "$folder/_CPack_Packages"
+  # In a copy, because dpkg-buildpackage writes into the sources and the folder above them.
+  rm -rf "$folder" "$build/package"
+  mkdir -p "$folder" "$source"
+  tar -C "$root" --exclude=./build --exclude=./.git -c . | tar -C "$source" -x
+  # The packages of a later Debian replace those of an earlier one.
+  sed -i "1s/)/~deb$(. /etc/os-release && echo "$VERSION_ID"))/" "$source/debian/changelog"
+  say "Building in $source"
+  # Debug information would be stripped, as packages of it are not made.
+  (cd "$source" && DEB_BUILD_OPTIONS="parallel=$jobs noautodbgsym" DEB_CXXFLAGS_STRIP=-g \
+    dpkg-buildpackage -us -uc -b) >"$build/package.log" 2>&1 || {
+    tail -n 50 "$build/package.log" >&2
+    die "dpkg-buildpackage failed; all it said is in $build/package.log"
+  }
+  mv "$build/package"/*.deb "$folder"
   say "Checking with lintian"
   lintian --allow-root --fail-on error,warning "$folder"/*.deb
   say "Packages:"

@@ -23,12 +23,12 @@
  *
  * Cost: one thread, about 400 bytes and 3 to 10 microseconds per tetrahedron.
  *
- * @warning TetGen is under the GNU Affero General Public License, version 3, and the program that
- * links it with it; see below. No other part of Gatun uses TetGen.
- *
  * TetGen runs in a program of its own, `gatun-tetgen` in the folder `gatun` next to this library,
  * so that a crash does not affect the caller and an abort takes effect at once. If that program
  * cannot be started, the filter fails.
+ *
+ * @warning That program links TetGen, so that the GNU Affero General Public License, version 3 or
+ * later, covers it as a whole. This library does not link TetGen, nor does any other part of Gatun.
  *
  * @warning With very strict quality bounds TetGen may run until memory is exhausted. See Quality
  * and MinDihedral for bounds that are known to terminate.

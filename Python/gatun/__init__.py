@@ -15,9 +15,18 @@ classes is only loaded once one of its classes is used. Documentation/python.md 
 """
 
 import importlib as _importlib
+import os as _os
+
+from vtkmodules.vtkCommonCore import vtkVersion as _vtkVersion
 
 from ._build import modules as _modules
 from ._build import version as __version__
+
+# Wrapped modules fit one VTK. Those for ParaView's may be installed beside those for Python's own.
+_folder = _os.path.join(__path__[0], "vtk" + _vtkVersion.GetVTKVersion(), "gatun")
+if not _os.path.isdir(_folder):
+    raise ImportError(f"gatun has no modules for VTK {_vtkVersion.GetVTKVersion()}: there is no {_folder}")
+__path__.append(_folder)
 
 # The public functions and types, and the module of each.
 _members = {

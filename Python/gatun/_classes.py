@@ -4,7 +4,6 @@
 """The wrapped classes, found by name; a module is loaded once one of its classes is used."""
 
 import importlib
-import importlib.util
 
 from ._build import modules
 
@@ -15,10 +14,8 @@ def load_module(name):
 
 
 def load_modules():
-    """Yields the wrapped modules that are installed: that of TetGen may be left out."""
-    for name in modules:
-        if importlib.util.find_spec("." + name, __package__):
-            yield load_module(name)
+    """Yields the wrapped modules."""
+    return map(load_module, modules)
 
 
 def find_class(name):

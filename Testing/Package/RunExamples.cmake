@@ -72,6 +72,21 @@ if (MPIEXEC AND EXISTS "${TEMP}/build/HeatSolver")
   endif ()
 endif ()
 
+# TetGen is in a program of its own, and there is no other way to run it.
+file(GLOB_RECURSE program "${TEMP}/prefix/*/gatun-tetgen")
+if (program)
+  file(WRITE "${TEMP}/surface.obj" "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+  expect(0 "" "${TEMP}/prefix/bin/gtn" mesh surface.obj filled.gtn)
+  file(REMOVE "${program}" "${TEMP}/filled.gtn")
+  execute_process(COMMAND "${TEMP}/prefix/bin/gtn" mesh surface.obj filled.gtn
+    WORKING_DIRECTORY "${TEMP}"
+    RESULT_VARIABLE   code
+    ERROR_VARIABLE    errors)
+  if (NOT code EQUAL 1 OR NOT errors MATCHES "gatun-tetgen cannot be started" OR EXISTS "${TEMP}/filled.gtn")
+    message(FATAL_ERROR "exit ${code}: ${errors}")
+  endif ()
+endif ()
+
 if (PYTHON_DESTINATION)
   set(ENV{PYTHONPATH} "${TEMP}/prefix/${PYTHON_DESTINATION}")
   set(ENV{LD_LIBRARY_PATH} "")
