@@ -30,6 +30,10 @@ bool FileSettings::IsOnDemand(SharedFile& mesh) const
   {
     return false;
   }
+  if (*this->LargeMesh == 0)
+  {
+    return true; // without cells, too
+  }
   const FileReader& file = *mesh.GetFile();
   const std::size_t merges = this->CountMerges(mesh);
   const std::uint64_t cells = merges > 0 ? mesh.GetHierarchy().EstimateCells(merges)

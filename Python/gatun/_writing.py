@@ -235,7 +235,7 @@ def _run(writer, algorithms):
     finally:
         # A source in Python must not outlive its Python object.
         writer.RemoveAllInputConnections(0)
-    return writer.GetFileBytes()
+    return os.path.getsize(writer.GetFileName())
 
 
 def _write_volume(data, path, rates, block_size, arrays):

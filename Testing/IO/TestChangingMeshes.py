@@ -63,7 +63,7 @@ for keep, chunk in ((7, 0), (0, 200)):
     lattices = [LATTICES[i] for i in (0, 1, 2, 1, 2)]
     assert gm.statistic(writer, "Points") == sum(len(points) for points, _ in lattices)
     assert gm.statistic(writer, "Cells") == sum(len(tets) for _, tets in lattices)
-    sizes = [getattr(writer, "Get" + what + "Bytes")() for what in (
+    sizes = [gm.statistic(writer, what + "Bytes") for what in (
         "Connectivity", "Geometry", "Order", "Array", "FieldData", "OtherMesh", "Directory")]
     assert all(sizes[i] > 0 for i in (0, 1, 3, 4, 5, 6)) and sum(sizes) == gm.statistic(writer, "FileBytes")
 

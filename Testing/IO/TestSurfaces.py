@@ -11,6 +11,7 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 import gatunMeshes as gm
 import gatunPolyData as pd
+from gatun import vtkGatunWriter
 
 KEEP_ALL = 7
 
@@ -86,7 +87,12 @@ assert np.array_equal(gm.values_of(back.GetCellData().GetArray("cell")).ravel(),
 
 # Only chosen arrays are written.
 surface = pd.add_arrays(pd.wave())
-gm.write(surface, path, WriteUnlistedArrays=False)
+writer = vtkGatunWriter()
+writer.SetInputData(surface)
+writer.SetFileName(path)
+writer.GetPointDataArraySelection().SetUnknownArraySetting(0)
+writer.GetCellDataArraySelection().SetUnknownArraySetting(0)
+assert writer.Write() == 1
 assert not pd.read(path).GetPointData().GetNumberOfArrays()
 
 # What a filter of VTK makes of the surface is what it made before.

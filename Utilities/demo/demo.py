@@ -124,10 +124,11 @@ class Demo:
 
     def show_pieces(self):
         """The chunks, read one by one, each moved away from the middle."""
-        count, sizes, actors = self.reader.GetChunkTable().GetNumberOfRows(), [self.reader.GetBytesRead()], []
+        bytes_read = lambda: self.reader.GetStatistics().GetColumnByName("BytesRead").GetValue(0)
+        count, sizes, actors = self.reader.GetChunkTable().GetNumberOfRows(), [bytes_read()], []
         for index in range(count):
             self.reader.UpdatePiece(index, count, 0)
-            sizes.append(self.reader.GetBytesRead())
+            sizes.append(bytes_read())
             piece = self.reader.GetOutput()
             # Colors that follow each other are far apart on the wheel.
             wheel = 2 * np.pi * (0.55 + index * 0.61803398875 - np.arange(3) / 3)
