@@ -28,6 +28,7 @@ awk -F'"' '
   "$config/vtk/VTK-vtk-module-properties.cmake" "$config/ParaView-vtk-module-properties.cmake" |
   sed 's|${_vtk_module_import_prefix}|/usr|' >"$folder/headers.txt"
 "vtkWrapHierarchy-pv$version" -o "$folder/hierarchy.txt" "-I/usr/include/paraview-$version" "$folder/headers.txt"
-grep -rhoE 'lib/[^"]+-hierarchy\.txt' "$config" | sort -u | while read -r file; do
-  [ -e "$folder/$file" ] || install -D "$folder/hierarchy.txt" "$folder/$file"
+mkdir -p "$folder/lib/$multiarch/vtk/hierarchy/ParaView"
+grep -rhoE "lib/$multiarch/vtk/hierarchy/ParaView/[^\"]+" "$config" | sort -u | while read -r file; do
+  ln -s "$folder/hierarchy.txt" "$folder/$file"
 done
