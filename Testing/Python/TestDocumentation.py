@@ -63,7 +63,7 @@ def check_links(file):
 
 
 def check_version():
-    """The specifications have the versions of gatunVersion.h, and all promise the same."""
+    """Specifications and packages have the versions of gatunVersion.h, and all promise the same."""
     header = (ROOT / "Module" / "Support" / "gatunVersion.h").read_text(encoding="utf-8")
     for name, macro in (("format.md", "GATUN_FORMAT_VERSION"),
                         ("ghv-format.md", "GATUN_VOLUME_FORMAT_VERSION")):
@@ -72,6 +72,10 @@ def check_version():
         found = re.search(r"^Format version (\d+)\b", file.read_text(encoding="utf-8"), flags=re.MULTILINE)
         if not found or found[1] != version:
             report(file, f"the version is not {version}, that of gatunVersion.h")
+    version = ".".join(re.findall(r"#define GATUN_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", header))
+    file = ROOT / "debian" / "changelog"
+    if not file.read_text(encoding="utf-8").startswith(f"gatun ({version})"):
+        report(file, f"the version is not {version}, that of gatunVersion.h")
     for name in ("README.md", "CONTRIBUTING.md", "Documentation/format.md"):
         if PROMISE not in " ".join((ROOT / name).read_text(encoding="utf-8").split()):
             report(ROOT / name, f'does not promise: "{PROMISE}"')
