@@ -7,8 +7,6 @@
 #include "gatunChunkCache.h"
 #include "gatunPieceDecoder.h"
 
-#include <algorithm>
-#include <exception>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -92,42 +90,25 @@ void StepPrefetcher::Start(const std::shared_ptr<ChunkCache>& cache, const Piece
   request.Step = *next;
   request.Form = PieceForm::Original;
   request.RestoreOrder = false;
-  const auto decode = [this, chunks = filled.Chunks, request,
-                        view = std::make_shared<ChunkCache>(cache, true)]() mutable
+  auto decode = [this, chunks = filled.Chunks, request,
+                  view = std::make_shared<ChunkCache>(cache, true)]() mutable
   {
-    try
+    PieceDecoder decoder(view);
+    const std::vector<ArrayDescription>& arrays = view->GetFile()->GetArrays();
+    for (std::size_t i = 0; i < chunks.size() && !this->Worker.MustStop(); ++i)
     {
-      PieceDecoder decoder(view);
-      const std::vector<ArrayDescription>& arrays = view->GetFile()->GetArrays();
-      for (std::size_t i = 0; i < chunks.size() && !this->IsStopped; ++i)
-      {
-        request.Chunks = { chunks[i] };
-        DecodeChunk(decoder, request, arrays, [this](double) { return !this->IsStopped; });
-      }
-    }
-    catch (const std::exception&)
-    {
-      // Stopped, out of memory, or a damaged step: whoever reads the step finds out.
+      request.Chunks = { chunks[i] };
+      DecodeChunk(decoder, request, arrays, [this](double) { return !this->Worker.MustStop(); });
     }
   };
   try
   {
-    this->IsStopped = false;
-    this->Thread = std::thread(std::move(decode));
+    // Nobody asks why it fails: whoever reads the step finds out.
+    this->Worker.Request(std::move(decode));
   }
   catch (const std::system_error&)
   {
     // Without another thread nothing is decoded ahead.
-  }
-}
-
-//------------------------------------------------------------------------------
-void StepPrefetcher::Stop()
-{
-  this->IsStopped = true;
-  if (this->Thread.joinable())
-  {
-    this->Thread.join();
   }
 }
 }

@@ -4,12 +4,12 @@
 #ifndef gatunStepPrefetcher_h
 #define gatunStepPrefetcher_h
 
+#include "gatunBackgroundWorker.h"
 #include "gatunPieceRequest.h"
 
-#include <atomic>
+#include <cstddef>
 #include <memory>
 #include <optional>
-#include <thread>
 
 namespace gatun
 {
@@ -17,30 +17,26 @@ class ChunkCache;
 
 /**
  * Decodes the arrays of the time step that is likely to be asked for next into the cache of a file,
- * in a thread of its own. Errors are left to those who read the step. Not thread safe.
+ * in the background. Errors are left to those who read the step. Not thread safe.
  */
 class StepPrefetcher
 {
 public:
-  StepPrefetcher() = default;
-  ~StepPrefetcher() { this->Stop(); }
-  StepPrefetcher(const StepPrefetcher&) = delete;
-  StepPrefetcher& operator=(const StepPrefetcher&) = delete;
+  StepPrefetcher() { this->Worker.SetResting(false); }
 
   /** To be called when a request for a mesh has been filled. The next step is the one in the
    * direction from the step before, and later ones at first. Nothing is done if the budget of the
    * cache is too small for the mesh and several steps. */
   void Start(const std::shared_ptr<ChunkCache>& cache, const PieceRequest& filled);
 
-  /** Ends the thread; waits for the chunk at hand at most. */
-  void Stop();
+  /** Ends the work; waits for the chunk at hand at most. */
+  void Stop() { this->Worker.StopAndWait(); }
 
 private:
   std::optional<std::size_t> FindNext(const ChunkCache& cache, const PieceRequest& filled);
 
-  std::thread Thread;
-  std::atomic<bool> IsStopped{ false };
   std::optional<std::size_t> LastStep;
+  BackgroundWorker Worker;
 };
 }
 

@@ -5,10 +5,8 @@
 
 #include "gatunDetailWeights.h"
 #include "gatunFileReader.h"
-#include "gatunParallel.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -19,37 +17,13 @@ namespace
 {
 // Points of a base mesh for each one that may be left.
 constexpr std::uint64_t BasePoints = 8;
-
-// The longest rest of the thread.
-constexpr std::chrono::milliseconds MostRest{ 200 };
-}
-
-//------------------------------------------------------------------------------
-SurfaceCutter::~SurfaceCutter()
-{
-  {
-    const std::lock_guard<std::mutex> lock(this->Guard);
-    this->IsEnding = true;
-    ++this->Version;
-  }
-  this->Changed.notify_all();
-  if (this->Worker.joinable())
-  {
-    this->Worker.join();
-  }
 }
 
 //------------------------------------------------------------------------------
 void SurfaceCutter::Clear()
 {
-  {
-    const std::lock_guard<std::mutex> lock(this->Guard);
-    this->Wanted.reset();
-    this->Ready.reset();
-    ++this->Version;
-  }
-  this->Changed.notify_all();
-  const std::lock_guard<std::mutex> working(this->Working);
+  this->Worker.StopAndWait();
+  this->Take();
   this->Bases.clear();
   this->Coarsest = nullptr;
   this->FirstErrors.clear();
@@ -59,105 +33,28 @@ void SurfaceCutter::Clear()
 //------------------------------------------------------------------------------
 void SurfaceCutter::Request(SurfaceCutOrder order)
 {
-  {
-    const std::lock_guard<std::mutex> lock(this->Guard);
-    this->Wanted = std::move(order);
-    this->Ready.reset();
-    if (!this->Worker.joinable())
+  this->Take();
+  this->Worker.Request(
+    [this, order = std::move(order)]
     {
-      this->Worker = std::thread([this] { this->Run(); });
-    }
-  }
-  this->Changed.notify_all();
-}
-
-//------------------------------------------------------------------------------
-bool SurfaceCutter::IsBusy()
-{
-  const std::lock_guard<std::mutex> lock(this->Guard);
-  return this->Wanted || this->IsWorking;
+      auto result = this->CarryOut(order, [this](double) { return this->Worker.GoOn(); });
+      this->Worker.Publish([&] { this->Ready = std::move(result); });
+    });
 }
 
 //------------------------------------------------------------------------------
 std::optional<SurfaceCutResult> SurfaceCutter::Take()
 {
-  const std::lock_guard<std::mutex> lock(this->Guard);
+  const auto lock = this->Worker.Lock();
   return std::exchange(this->Ready, std::nullopt);
-}
-
-//------------------------------------------------------------------------------
-void SurfaceCutter::Wait()
-{
-  std::unique_lock<std::mutex> lock(this->Guard);
-  this->Changed.wait(lock, [this] { return !this->Wanted && !this->IsWorking; });
 }
 
 //------------------------------------------------------------------------------
 SurfaceCutResult SurfaceCutter::Make(const SurfaceCutOrder& order, const Progress& progress)
 {
-  {
-    // What the thread is about takes the place of nothing any more.
-    const std::lock_guard<std::mutex> lock(this->Guard);
-    this->Wanted.reset();
-    this->Ready.reset();
-    ++this->Version;
-  }
-  this->Changed.notify_all();
-  const std::lock_guard<std::mutex> working(this->Working);
+  this->Worker.StopAndWait();
+  this->Take(); // what was ordered before takes the place of nothing any more
   return this->CarryOut(order, progress);
-}
-
-//------------------------------------------------------------------------------
-void SurfaceCutter::Run()
-{
-  using Clock = std::chrono::steady_clock;
-  std::unique_lock<std::mutex> lock(this->Guard);
-  while (!this->IsEnding)
-  {
-    if (!this->Wanted)
-    {
-      this->Changed.wait(lock);
-      continue;
-    }
-    const SurfaceCutOrder order = std::move(*this->Wanted);
-    this->Wanted.reset();
-    const auto version = this->Version;
-    this->IsWorking = true;
-    lock.unlock();
-    const auto begin = Clock::now();
-    SurfaceCutResult result;
-    {
-      const std::lock_guard<std::mutex> working(this->Working);
-      // As one body, so that it takes this thread only.
-      ParallelFor(1,
-        [&](std::size_t)
-        {
-          auto last = begin;
-          result = this->CarryOut(order,
-            [&](double)
-            {
-              std::unique_lock<std::mutex> brief(this->Guard);
-              // Rests in between, too.
-              const auto rest = std::min<Clock::duration>(Clock::now() - last, MostRest);
-              this->Changed.wait_for(brief, rest, [&] { return this->Version != version; });
-              last = Clock::now();
-              return this->Version == version;
-            });
-        });
-    }
-    const auto taken = std::min<Clock::duration>(Clock::now() - begin, MostRest);
-    lock.lock();
-    this->IsWorking = false;
-    if (this->Version == version)
-    {
-      this->Ready = std::move(result);
-    }
-    this->Changed.notify_all();
-    if (this->Version == version)
-    {
-      this->Changed.wait_for(lock, taken, [&] { return this->Version != version; });
-    }
-  }
 }
 
 //------------------------------------------------------------------------------

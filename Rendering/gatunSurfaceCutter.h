@@ -4,21 +4,19 @@
 #ifndef gatunSurfaceCutter_h
 #define gatunSurfaceCutter_h
 
+#include "gatunBackgroundWorker.h"
 #include "gatunPublishedFile.h"
 #include "gatunSurfaceBase.h"
 #include "gatunSurfaceCut.h"
 #include "gatunSurfaceDetail.h"
 #include "gatunSurfaceMesh.h"
 
-#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
 #include <vector>
 
 namespace gatun
@@ -46,7 +44,7 @@ struct SurfaceCutResult
  * eight times the points that may be left, or else with a smaller error than is allowed everywhere.
  * The last base meshes are kept.
  *
- * Orders are carried out by a thread of its own, which rests as long as it has worked, or at once.
+ * Orders are carried out in the background, which rests as long as it has worked, or at once.
  * All methods must be called from one thread.
  */
 class SurfaceCutter
@@ -54,16 +52,11 @@ class SurfaceCutter
 public:
   using Progress = SurfaceMesh::Progress;
 
-  SurfaceCutter() = default;
-  ~SurfaceCutter();
-  SurfaceCutter(const SurfaceCutter&) = delete;
-  SurfaceCutter& operator=(const SurfaceCutter&) = delete;
-
-  /** Orders a surface from the thread. Its result takes the place of one that was not taken. */
+  /** Orders a surface from the background. Its result takes the place of one that was not taken. */
   void Request(SurfaceCutOrder order);
 
   /** Whether an order is not carried out yet. */
-  bool IsBusy();
+  bool IsBusy() { return this->Worker.IsBusy(); }
 
   /** The result of the last order, once. */
   std::optional<SurfaceCutResult> Take();
@@ -72,33 +65,26 @@ public:
   SurfaceCutResult Make(const SurfaceCutOrder& order, const Progress& progress);
 
   /** Waits until the last order is carried out. */
-  void Wait();
+  void Wait() { this->Worker.Wait(); }
 
   /** Forgets orders, results and base meshes. */
   void Clear();
 
 private:
-  void Run();
   SurfaceCutResult CarryOut(const SurfaceCutOrder& order, const Progress& progress);
   std::shared_ptr<const SurfaceBase> FindBase(
     const SurfaceCutOrder& order, const Progress& progress);
   double BoundWeights(const SurfaceCutOrder& order, const Progress& progress);
   bool IsFineEnough(const SurfaceCutOrder& order, std::size_t merges, double weight);
 
-  std::mutex Working;                                    // while an order is carried out; of these:
+  // While an order is carried out, by one thread at a time:
   std::vector<std::shared_ptr<const SurfaceBase>> Bases; // the last one first
   std::shared_ptr<const SurfaceBase> Coarsest;           // base mesh; knows how near the eye is
   std::map<std::size_t, double> FirstErrors;             // of base meshes, by their merges
   std::shared_ptr<const SurfaceCut> Last;
 
-  std::mutex Guard; // of all that follows
-  std::condition_variable Changed;
-  std::optional<SurfaceCutOrder> Wanted;
-  std::optional<SurfaceCutResult> Ready;
-  std::uint64_t Version = 0; // of what was not cleared
-  bool IsWorking = false;
-  bool IsEnding = false;
-  std::thread Worker; // while there was an order
+  std::optional<SurfaceCutResult> Ready; // with the lock of the worker
+  BackgroundWorker Worker;
 };
 }
 

@@ -5,64 +5,62 @@
 
 #include "vtkPolyData.h"
 
-#include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace gatun
 {
 //------------------------------------------------------------------------------
-SurfacePreparer::~SurfacePreparer()
-{
-  {
-    const std::lock_guard<std::mutex> lock(this->Guard);
-    this->IsEnding = true;
-    ++this->Version;
-  }
-  this->Changed.notify_all();
-  if (this->Worker.joinable())
-  {
-    this->Worker.join();
-  }
-}
-
-//------------------------------------------------------------------------------
 void SurfacePreparer::Clear()
 {
-  const std::lock_guard<std::mutex> lock(this->Guard);
+  this->Worker.Stop();
   this->Level = nullptr;
-  this->Wanted.clear();
+  const auto lock = this->Worker.Lock();
   this->Ready.clear();
-  ++this->Version;
 }
 
 //------------------------------------------------------------------------------
 void SurfacePreparer::Prepare(
   const std::shared_ptr<const SurfaceMesh>& level, std::vector<std::uint32_t> chunks)
 {
+  if (level != this->Level)
   {
-    const std::lock_guard<std::mutex> lock(this->Guard);
-    if (level != this->Level)
-    {
-      this->Level = level;
-      this->Ready.clear();
-      ++this->Version;
-    }
-    std::reverse(chunks.begin(), chunks.end());
-    std::erase_if(chunks, [this](std::uint32_t chunk) { return this->Ready.contains(chunk); });
-    this->Wanted = std::move(chunks);
-    if (!this->Wanted.empty() && !this->Worker.joinable())
-    {
-      this->Worker = std::thread([this] { this->Run(); });
-    }
+    this->Clear();
+    this->Level = level;
   }
-  this->Changed.notify_all();
+  if (chunks.empty())
+  {
+    this->Worker.Request({});
+    return;
+  }
+  this->Worker.Request(
+    [this, level, chunks = std::move(chunks)]
+    {
+      const auto isReady = [&](std::uint32_t chunk)
+      {
+        const auto lock = this->Worker.Lock();
+        return this->Ready.contains(chunk);
+      };
+      for (const auto chunk : chunks)
+      {
+        if (this->Worker.IsReplaced())
+        {
+          return;
+        }
+        if (!isReady(chunk))
+        {
+          SurfacePart part =
+            level->Decode(chunk, false, [this](double) { return !this->Worker.MustStop(); });
+          this->Worker.Publish([&] { this->Ready[chunk] = std::move(part); });
+          this->Worker.GoOn();
+        }
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
 std::optional<SurfacePart> SurfacePreparer::Take(const SurfaceMesh* level, std::uint32_t chunk)
 {
-  const std::lock_guard<std::mutex> lock(this->Guard);
+  const auto lock = this->Worker.Lock();
   const auto found = this->Ready.find(chunk);
   if (level != this->Level.get() || found == this->Ready.end())
   {
@@ -71,50 +69,5 @@ std::optional<SurfacePart> SurfacePreparer::Take(const SurfaceMesh* level, std::
   SurfacePart part = std::move(found->second);
   this->Ready.erase(found);
   return part;
-}
-
-//------------------------------------------------------------------------------
-void SurfacePreparer::Wait()
-{
-  std::unique_lock<std::mutex> lock(this->Guard);
-  this->Changed.wait(lock, [this] { return this->Wanted.empty() && !this->IsWorking; });
-}
-
-//------------------------------------------------------------------------------
-void SurfacePreparer::Run()
-{
-  using Clock = std::chrono::steady_clock;
-  std::unique_lock<std::mutex> lock(this->Guard);
-  while (!this->IsEnding)
-  {
-    if (this->Wanted.empty())
-    {
-      this->Changed.wait(lock);
-      continue;
-    }
-    const auto chunk = this->Wanted.back();
-    this->Wanted.pop_back();
-    auto level = this->Level;
-    const auto version = this->Version;
-    this->IsWorking = true;
-    lock.unlock();
-    const auto begin = Clock::now();
-    SurfacePart part = level->Decode(chunk, false,
-      [&](double)
-      {
-        const std::lock_guard<std::mutex> brief(this->Guard);
-        return this->Version == version;
-      });
-    level.reset();
-    const auto taken = Clock::now() - begin;
-    lock.lock();
-    this->IsWorking = false;
-    this->Changed.notify_all();
-    if (this->Version == version)
-    {
-      this->Ready[chunk] = std::move(part);
-      this->Changed.wait_for(lock, taken, [&] { return this->Version != version; });
-    }
-  }
 }
 }

@@ -2,27 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunLevelOfDetailCache.h"
 
+#include "gatunBackgroundWorker.h"
 #include "gatunDetailWeights.h"
 #include "gatunError.h"
-#include "gatunParallel.h"
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <condition_variable>
 #include <deque>
-#include <exception>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 namespace gatun
 {
 namespace
 {
-using Clock = std::chrono::steady_clock;
-
 // Approximate memory of a prepared block and of the data that it is made from.
 constexpr std::uint64_t BytesPerTet = 64;
 
@@ -62,25 +57,19 @@ public:
   const Limits Space;
   std::atomic<double> Done{ 0 }; // fraction, of finding the levels of detail
 
-  mutable std::mutex Guard; // of all that follows
-  std::condition_variable Changed;
+  // With the lock of the worker:
   std::shared_ptr<LevelsOfDetail> Detail;
-  std::exception_ptr Failure; // the reason why there are none
-  std::vector<Level> Levels;  // coarser than the whole mesh
+  std::vector<Level> Levels; // coarser than the whole mesh
   bool IsWholeComplete = false;
   std::uint64_t Uses = 0;
   std::deque<DetailRequest> Wanted;
   std::optional<DetailRequest> Now;              // the level in work
   std::shared_ptr<const DetailView> PresentView; // that was requested last
   std::uint64_t Views = 0;                       // that have been requested
-  bool MustStop = false;                         // working on that level
-  bool IsPaused = false;                         // the worker must not begin another level
-  bool IsDrawing = false;
-  bool IsEnding = false;
 
-  std::thread Worker;
+  BackgroundWorker Worker;
 
-  // With the guard locked:
+  // With the lock of the worker:
   bool IsWhole(const DetailRequest& request) const
   {
     return request.Points == this->Detail->GetNumberOfPoints() && !request.View;
@@ -100,40 +89,14 @@ public:
   bool IsWorthwhile(const DetailRequest& request);
   void SeeView(const DetailRequest& request);
 
-  // Without:
-  void Work();
+  // Without it, in the background:
   void FindLevels();
+  void Work();
   void Complete(Level& level);
-  bool Rest(Clock::duration worked);
-};
 
-namespace
-{
-/** Stops the worker during its life. */
-template <typename Internals>
-class Hold
-{
-public:
-  Hold(Internals& self, std::unique_lock<std::mutex>& lock)
-    : Self(self)
-  {
-    self.IsPaused = true;
-    self.MustStop = true;
-    self.Changed.notify_all();
-    self.Changed.wait(lock, [&] { return !self.Now; });
-  }
-  ~Hold()
-  {
-    this->Self.IsPaused = false;
-    this->Self.Changed.notify_all();
-  }
-  Hold(const Hold&) = delete;
-  Hold& operator=(const Hold&) = delete;
-
-private:
-  Internals& Self;
+  // Without it, elsewhere:
+  void GoOn();
 };
-}
 
 //------------------------------------------------------------------------------
 DetailRequest LevelOfDetailCache::Internals::Clamp(const DetailRequest& request) const
@@ -207,65 +170,35 @@ void LevelOfDetailCache::Internals::SeeView(const DetailRequest& request)
 //------------------------------------------------------------------------------
 void LevelOfDetailCache::Internals::FindLevels()
 {
-  std::shared_ptr<LevelsOfDetail> detail;
-  std::exception_ptr failure;
-  try
+  auto detail = this->Maker(
+    [this](double done)
+    {
+      this->Done = done;
+      return !this->Worker.MustStop();
+    });
+  if (!detail)
   {
-    detail = this->Maker(
-      [this](double done)
+    throw Error(ErrorCode::InvalidInput, "the mesh cannot be simplified");
+  }
+  this->Worker.Publish(
+    [&]
+    {
+      this->Detail = std::move(detail);
+      // There can be no requests yet.
+      auto points = this->Detail->GetNumberOfPoints();
+      while (points > FirstPoints)
       {
-        this->Done = done;
-        const std::lock_guard<std::mutex> lock(this->Guard);
-        return !this->IsEnding;
-      });
-    if (!detail)
-    {
-      throw Error(ErrorCode::InvalidInput, "the mesh cannot be simplified");
-    }
-  }
-  catch (...)
-  {
-    failure = std::current_exception();
-  }
-  const std::lock_guard<std::mutex> lock(this->Guard);
-  this->Detail = std::move(detail);
-  this->Failure = failure;
-  if (this->Detail)
-  {
-    // There can be no requests yet.
-    auto points = this->Detail->GetNumberOfPoints();
-    while (points > FirstPoints)
-    {
-      points /= 2;
-    }
-    this->Wanted.push_back(this->Clamp({ points, nullptr }));
-  }
-  this->Changed.notify_all();
-}
-
-//------------------------------------------------------------------------------
-/** Leaves a share of the processor to frames. Returns false to stop. */
-bool LevelOfDetailCache::Internals::Rest(Clock::duration worked)
-{
-  std::unique_lock<std::mutex> lock(this->Guard);
-  if (this->IsDrawing)
-  {
-    this->Changed.wait_for(lock, worked, [&] { return this->MustStop || !this->IsDrawing; });
-  }
-  return !this->MustStop;
+        points /= 2;
+      }
+      this->Wanted.push_back(this->Clamp({ points, nullptr }));
+    });
 }
 
 //------------------------------------------------------------------------------
 /** Makes the blocks of a level that are in its view until it must stop. */
 void LevelOfDetailCache::Internals::Complete(Level& level)
 {
-  auto before = Clock::now();
-  const auto rest = [&](double)
-  {
-    const bool goesOn = this->Rest(Clock::now() - before);
-    before = Clock::now();
-    return goesOn;
-  };
+  const auto rest = [&](double) { return this->Worker.GoOn(); };
   if (!level.Made.Source)
   {
     level.Made = this->Detail->MakeLevel(level.Request, this->Space.Simpler, rest);
@@ -292,59 +225,85 @@ void LevelOfDetailCache::Internals::Complete(Level& level)
 }
 
 //------------------------------------------------------------------------------
+/** Makes the levels that are wanted. */
 void LevelOfDetailCache::Internals::Work()
 {
-  this->FindLevels();
-  std::unique_lock<std::mutex> lock(this->Guard);
-  for (;;)
+  auto lock = this->Worker.Lock();
+  while (!this->Worker.MustStop() && !this->Wanted.empty())
   {
-    this->Changed.wait(
-      lock, [&] { return this->IsEnding || (!this->IsPaused && !this->Wanted.empty()); });
-    if (this->IsEnding)
-    {
-      return;
-    }
     Level level;
     level.Request = this->Wanted.front();
     level.View = this->Views;
     this->Wanted.pop_front();
-    if (this->IsWorthwhile(level.Request))
+    if (!this->IsWorthwhile(level.Request))
     {
-      const bool isWhole = this->IsWhole(level.Request);
-      if (isWhole)
-      {
-        level.Made = { this->Whole, level.Request.Points };
-      }
-      else if (Level* const begun = this->Find(level.Request))
-      {
-        level = std::move(*begun);
-        this->Levels.erase(this->Levels.begin() + (begun - this->Levels.data()));
-      }
-      this->Now = level.Request;
-      this->MustStop = false;
-      lock.unlock();
-      try
-      {
-        this->Complete(level);
-      }
-      catch (...)
-      {
-        // Get will meet the same failure and report it.
-        level.Made = {};
-      }
-      lock.lock();
-      if (isWhole)
-      {
-        this->IsWholeComplete = level.IsComplete;
-      }
-      else if (level.Made.Source)
-      {
-        this->Add(std::move(level));
-      }
-      this->Now.reset();
+      continue;
     }
-    this->Changed.notify_all();
+    const bool isWhole = this->IsWhole(level.Request);
+    if (isWhole)
+    {
+      level.Made = { this->Whole, level.Request.Points };
+    }
+    else if (Level* const begun = this->Find(level.Request))
+    {
+      level = std::move(*begun);
+      this->Levels.erase(this->Levels.begin() + (begun - this->Levels.data()));
+    }
+    this->Now = level.Request;
+    lock.unlock();
+    try
+    {
+      this->Complete(level);
+    }
+    catch (...)
+    {
+      // Get will meet the same failure and report it.
+      level.Made = {};
+    }
+    lock.lock();
+    if (isWhole)
+    {
+      this->IsWholeComplete = level.IsComplete;
+    }
+    else if (level.Made.Source)
+    {
+      this->Add(std::move(level));
+    }
+    this->Now.reset();
   }
+}
+
+//------------------------------------------------------------------------------
+/** Goes on with what is wanted. */
+void LevelOfDetailCache::Internals::GoOn()
+{
+  const auto isEmpty = [this]
+  {
+    const auto lock = this->Worker.Lock();
+    return this->Wanted.empty();
+  };
+  this->Worker.Request(isEmpty() ? BackgroundWorker::Task() : [this] { this->Work(); });
+}
+
+namespace
+{
+/** Stops the worker during its life. */
+template <typename Internals>
+class Hold
+{
+public:
+  explicit Hold(Internals& self)
+    : Self(self)
+  {
+    self.Worker.StopAndWait();
+  }
+  ~Hold() { this->Self.GoOn(); }
+  Hold(const Hold&) = delete;
+  Hold& operator=(const Hold&) = delete;
+
+private:
+  Internals& Self;
+};
 }
 
 //------------------------------------------------------------------------------
@@ -353,34 +312,24 @@ LevelOfDetailCache::LevelOfDetailCache(
   : Self(std::make_unique<Internals>(std::move(makeLevels), std::move(whole), limits))
 {
   Internals* const self = this->Self.get();
-  self->Worker = std::thread(
+  self->Worker.SetResting(false);
+  self->Worker.Request(
     [self]
     {
-      // Within a body of ParallelFor, everything runs on this thread.
-      ParallelFor(1, [self](std::size_t) { self->Work(); });
+      self->FindLevels();
+      self->Work();
     });
 }
 
 //------------------------------------------------------------------------------
-LevelOfDetailCache::~LevelOfDetailCache()
-{
-  {
-    const std::lock_guard<std::mutex> lock(this->Self->Guard);
-    this->Self->IsEnding = true;
-    this->Self->MustStop = true;
-    this->Self->Changed.notify_all();
-  }
-  this->Self->Worker.join();
-}
+LevelOfDetailCache::~LevelOfDetailCache() = default;
 
 //------------------------------------------------------------------------------
 LevelsOfDetail* LevelOfDetailCache::FindLevels() const
 {
-  const std::lock_guard<std::mutex> lock(this->Self->Guard);
-  if (this->Self->Failure)
-  {
-    std::rethrow_exception(this->Self->Failure);
-  }
+  // Nothing is requested from the worker before it has found them.
+  this->Self->Worker.Rethrow();
+  const auto lock = this->Self->Worker.Lock();
   return this->Self->Detail.get();
 }
 
@@ -389,17 +338,13 @@ LevelsOfDetail& LevelOfDetailCache::WaitForLevels(const Progress& progress)
 {
   auto& self = *this->Self;
   constexpr std::chrono::milliseconds between(50);
-  std::unique_lock<std::mutex> lock(self.Guard);
-  while (!self.Changed.wait_for(lock, between, [&] { return self.Detail || self.Failure; }))
+  while (!self.Worker.WaitFor(between, [&] { return self.Detail != nullptr; }))
   {
-    lock.unlock();
     if (progress && !progress(self.Done))
     {
       throw Error(ErrorCode::Aborted, "aborted");
     }
-    lock.lock();
   }
-  lock.unlock();
   return *this->FindLevels();
 }
 
@@ -407,10 +352,13 @@ LevelsOfDetail& LevelOfDetailCache::WaitForLevels(const Progress& progress)
 std::shared_ptr<RaySource> LevelOfDetailCache::GetWhole()
 {
   auto& self = *this->Self;
-  std::unique_lock<std::mutex> lock(self.Guard);
+  std::optional<Hold<Internals>> hold; // ends without the lock
+  auto lock = self.Worker.Lock();
   if (self.Now && self.IsWhole(*self.Now))
   {
-    const Hold hold(self, lock);
+    lock.unlock();
+    hold.emplace(self);
+    lock.lock();
   }
   // A source in use is not prepared in the background.
   self.IsWholeComplete = true;
@@ -421,7 +369,8 @@ std::shared_ptr<RaySource> LevelOfDetailCache::GetWhole()
 DetailLevel LevelOfDetailCache::Get(const DetailRequest& wanted)
 {
   auto& self = *this->Self;
-  std::unique_lock<std::mutex> lock(self.Guard);
+  std::optional<Hold<Internals>> hold; // ends without the lock
+  auto lock = self.Worker.Lock();
   const DetailRequest request = self.Clamp(wanted);
   if (self.IsWhole(request))
   {
@@ -431,21 +380,23 @@ DetailLevel LevelOfDetailCache::Get(const DetailRequest& wanted)
   self.SeeView(request);
   if (!self.IsReady(request))
   {
-    const Hold hold(self, lock);
-    // The worker may have begun this level.
-    if (!self.Find(request))
-    {
-      Level level;
-      level.Request = request;
-      level.View = self.Views;
-      level.Made = self.Detail->MakeLevel(request, self.Space.Simpler, {});
-      self.Add(std::move(level));
-    }
+    lock.unlock();
+    hold.emplace(self);
+    lock.lock();
   }
-  Level* const level = self.Find(request);
-  level->IsComplete = true;
-  level->Used = ++self.Uses;
-  return level->Made;
+  // The worker may have begun this level.
+  if (!self.Find(request))
+  {
+    Level made;
+    made.Request = request;
+    made.View = self.Views;
+    made.Made = self.Detail->MakeLevel(request, self.Space.Simpler, {});
+    self.Add(std::move(made));
+  }
+  Level& level = *self.Find(request);
+  level.IsComplete = true;
+  level.Used = ++self.Uses;
+  return level.Made;
 }
 
 namespace
@@ -464,7 +415,7 @@ double GetComparablePoints(const Level& level, const DetailRequest& wanted)
 DetailRequest LevelOfDetailCache::FindReady(const DetailRequest& wanted) const
 {
   const auto& self = *this->Self;
-  const std::lock_guard<std::mutex> lock(self.Guard);
+  const auto lock = this->Self->Worker.Lock();
   DetailRequest best;
   double least = 0;
   for (const Level& level : self.Levels)
@@ -497,43 +448,48 @@ DetailRequest LevelOfDetailCache::FindReady(const DetailRequest& wanted) const
 void LevelOfDetailCache::Prepare(const std::vector<DetailRequest>& wanted)
 {
   auto& self = *this->Self;
-  const std::lock_guard<std::mutex> lock(self.Guard);
-  if (!self.Detail)
-  {
-    return;
-  }
-  self.Wanted.clear();
+  std::deque<DetailRequest> worthwhile;
   bool isAtIt = false;
-  for (const auto& request : wanted)
   {
-    const auto clamped = self.Clamp(request);
-    self.SeeView(clamped);
-    const bool isNow = self.Now && clamped == *self.Now;
-    const bool isLike = isNow || (self.Now && self.Now->View && clamped.View);
-    isAtIt = isAtIt || (isLike && self.Wanted.empty()); // what comes first is more urgent
-    if (!isNow && self.IsWorthwhile(clamped))
+    const auto lock = self.Worker.Lock();
+    if (!self.Detail)
     {
-      self.Wanted.push_back(clamped);
+      return;
+    }
+    self.Wanted.clear();
+    for (const auto& request : wanted)
+    {
+      const auto clamped = self.Clamp(request);
+      self.SeeView(clamped);
+      const bool isNow = self.Now && clamped == *self.Now;
+      const bool isLike = isNow || (self.Now && self.Now->View && clamped.View);
+      isAtIt = isAtIt || (isLike && worthwhile.empty()); // what comes first is more urgent
+      if (!isNow && self.IsWorthwhile(clamped))
+      {
+        worthwhile.push_back(clamped);
+      }
     }
   }
-  self.MustStop = self.MustStop || !isAtIt;
-  self.Changed.notify_all();
+  if (!isAtIt)
+  {
+    self.Worker.Stop();
+  }
+  {
+    const auto lock = self.Worker.Lock();
+    self.Wanted = std::move(worthwhile);
+  }
+  self.GoOn();
 }
 
 //------------------------------------------------------------------------------
 void LevelOfDetailCache::SetDrawing(bool drawing)
 {
-  auto& self = *this->Self;
-  const std::lock_guard<std::mutex> lock(self.Guard);
-  self.IsDrawing = drawing;
-  self.Changed.notify_all();
+  this->Self->Worker.SetResting(drawing);
 }
 
 //------------------------------------------------------------------------------
 void LevelOfDetailCache::Wait()
 {
-  auto& self = *this->Self;
-  std::unique_lock<std::mutex> lock(self.Guard);
-  self.Changed.wait(lock, [&] { return self.Wanted.empty() && !self.Now; });
+  this->Self->Worker.Wait();
 }
 }

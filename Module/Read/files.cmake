@@ -34,7 +34,6 @@ gatun_core_folder(Read
     gatunFileReaderInternals.h
     gatunMeshDependencies.h
     gatunOriginalNumbers.h
-    gatunPageCache.h
     gatunPartDecoder.h
     gatunPieceCells.h
     gatunPieceSelection.h
@@ -56,7 +55,6 @@ gatun_core_folder(Read
     gatunFileReaderSeries.cxx
     gatunFileReaderTree.cxx
     gatunMeshDependencies.cxx
-    gatunPageCache.cxx
     gatunPartDecoder.cxx
     gatunPieceCells.cxx
     gatunPieceDecoder.cxx

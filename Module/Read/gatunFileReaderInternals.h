@@ -4,12 +4,12 @@
 #ifndef gatunFileReaderInternals_h
 #define gatunFileReaderInternals_h
 
+#include "gatunCache.h"
 #include "gatunCellMask.h"
 #include "gatunFileReader.h"
 #include "gatunGeometry.h"
 #include "gatunInputFile.h"
 #include "gatunLayers.h"
-#include "gatunPageCache.h"
 #include "gatunSeriesTable.h"
 #include "gatunTablePages.h"
 #include "gatunTreeTable.h"
@@ -142,7 +142,8 @@ private:
   std::optional<TablePages> Tables;
   std::uint64_t StepBytes = 0; // unpacked size of the tables of all steps
   static constexpr std::uint64_t KeptMaskBytes = 32u << 20;
-  mutable PageCache MaskPages{ KeptMaskBytes };
+  mutable Cache<std::size_t, CellMask> KeptMasks{ std::make_shared<CacheBudget>(KeptMaskBytes),
+    CachePolicy::KeepLast };
 
   void Read();
   void ReadCells();

@@ -107,7 +107,7 @@ CellMask FileReader::Internals::ReadMask(std::size_t mask) const
 //------------------------------------------------------------------------------
 std::shared_ptr<const CellMask> FileReader::Internals::GetMask(std::size_t mask) const
 {
-  return this->MaskPages.Get<CellMask>({ 0, mask }, [&] { return this->ReadMask(mask); });
+  return this->KeptMasks.FindOrMake(mask, [&] { return this->ReadMask(mask); });
 }
 
 //------------------------------------------------------------------------------

@@ -63,7 +63,7 @@ TablePages::TablePages(const InputFile& file, const MetaTable& meta, const CellT
   : File(file)
   , Meta(meta)
   , Cells(cells)
-  , Pages(KeptBytes)
+  , Pages(std::make_shared<CacheBudget>(KeptBytes), CachePolicy::KeepLast)
 {
   const auto where = file.FindSection(SectionTable, MeshName);
   file.Guarded(MeshName, where,
@@ -135,7 +135,7 @@ std::uint64_t TablePages::GetMeshBytes(std::size_t chunk) const
 //------------------------------------------------------------------------------
 std::shared_ptr<const MeshPage> TablePages::GetMeshPage(std::size_t page) const
 {
-  return this->Pages.Get<MeshPage>({ MeshPages, page },
+  return this->Pages.FindOrMake<MeshPage>({ MeshPages, page },
     [&]
     {
       const auto& where = this->Index.Pages.at(page).Details;
@@ -152,7 +152,7 @@ std::shared_ptr<const MeshPage> TablePages::GetMeshPage(std::size_t page) const
 std::shared_ptr<const StepPage> TablePages::GetStepPage(std::size_t page, std::size_t step) const
 {
   const auto& where = this->Steps.at(step).Pages.at(page);
-  return this->Pages.Get<StepPage>({ step + FirstStep, page },
+  return this->Pages.FindOrMake<StepPage>({ step + FirstStep, page },
     [&]
     {
       return this->File.Guarded(StepName, where,
@@ -190,8 +190,8 @@ std::shared_ptr<const BlockEntry> TablePages::GetBlock(std::size_t block) const
 //------------------------------------------------------------------------------
 std::shared_ptr<const ChunkEntry> TablePages::GetChunk(std::size_t chunk) const
 {
-  const auto linked =
-    this->Pages.Get<LinkedChunk>({ LinkedChunks, chunk }, [&] { return this->LinkChunk(chunk); });
+  const auto linked = this->Pages.FindOrMake<LinkedChunk>(
+    { LinkedChunks, chunk }, [&] { return this->LinkChunk(chunk); });
   return { linked, &linked->Entry };
 }
 

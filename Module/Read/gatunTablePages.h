@@ -4,16 +4,17 @@
 #ifndef gatunTablePages_h
 #define gatunTablePages_h
 
+#include "gatunCache.h"
 #include "gatunInputFile.h"
 #include "gatunMeshPages.h"
 #include "gatunMetaTable.h"
-#include "gatunPageCache.h"
 #include "gatunStepPages.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace gatun
@@ -115,9 +116,9 @@ private:
     std::size_t Step;      // which has the coordinates
     std::size_t Reference; // from which they may be predicted
   };
-  std::vector<PointStep> PointSteps; // if the points move
-  std::size_t KeyStep = 0;           // the last one
-  mutable PageCache Pages;
+  std::vector<PointStep> PointSteps;                              // if the points move
+  std::size_t KeyStep = 0;                                        // the last one
+  mutable Cache<std::pair<std::size_t, std::size_t>, void> Pages; // by kind and number
 };
 }
 

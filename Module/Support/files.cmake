@@ -15,6 +15,7 @@ gatun_core_folder(Support
     gatunPrintable.h
     gatunValueHistogram.h
   PRIVATE_HEADERS
+    gatunBackgroundWorker.h
     gatunBytes.h
     gatunCache.h
     gatunCacheBudgetInternals.h
@@ -31,6 +32,7 @@ gatun_core_folder(Support
     gatunVector.h
     gatunWithType.h
   SOURCES
+    gatunBackgroundWorker.cxx
     gatunCacheBudget.cxx
     gatunDefaultOpacity.cxx
     gatunError.cxx

@@ -21,6 +21,7 @@ namespace gatun
 enum class CachePolicy
 {
   LeastRecentlyUsed, ///< the least recently used ones
+  KeepLast,          ///< the same, and all others if it exceeds the budget by itself
   KeepFirst          ///< none; for users that go through all keys in a cycle
 };
 
@@ -74,8 +75,23 @@ public:
     return std::pair{ found->first, this->UsePart(found) };
   }
 
-  /** Offers a part. Bytes: its memory. A part that exceeds the budget or whose key is here already
-   * is not kept. Nor is one for which there is no memory left; nothing is thrown. */
+  /** Finds a part, or makes and offers it. Its GetBytes() returns its memory. Made: the type of the
+   * part, if that depends on the key. */
+  template <typename Made = Part, typename Make>
+  std::shared_ptr<const Made> FindOrMake(const Key& key, Make&& make)
+  {
+    if (auto found = this->Find(key))
+    {
+      return std::static_pointer_cast<const Made>(std::move(found));
+    }
+    auto made = std::make_shared<const Made>(make());
+    this->Keep(key, made, made->GetBytes());
+    return made;
+  }
+
+  /** Offers a part. Bytes: its memory. A part whose key is here already is not kept, nor is one
+   * that exceeds the budget, unless the policy is KeepLast. Nor is one for which there is no memory
+   * left; nothing is thrown. */
   void Keep(const Key& key, Pointer part, std::uint64_t bytes)
   {
     bytes += std::min(Overhead, ~bytes);
@@ -83,7 +99,10 @@ public:
     Entries added;
     const std::lock_guard<std::mutex> lock(this->GetGuard());
     this->CountMade();
-    if (!this->CanFit(bytes) || (this->Policy == CachePolicy::KeepFirst && !this->HasRoom(bytes)))
+    const bool isWelcome = this->Policy == CachePolicy::KeepFirst ? this->HasRoom(bytes)
+      : this->Policy == CachePolicy::KeepLast                     ? true
+                                                                  : this->CanFit(bytes);
+    if (!isWelcome)
     {
       return;
     }

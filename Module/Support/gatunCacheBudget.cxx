@@ -25,10 +25,11 @@ public:
   CacheUser::Entries Uses; // last used first
   std::vector<CacheUser*> Users;
 
-  /** Takes out entries until so many more bytes fit; they must not be more than the budget. */
+  /** Takes out entries until so many more bytes fit, or there are none left. */
   void MakeRoom(std::uint64_t bytes, CacheUser::Entries& dropped)
   {
-    while (this->Statistics.Bytes > this->Bytes - bytes)
+    const std::uint64_t most = this->Bytes - std::min(bytes, this->Bytes);
+    while (this->Statistics.Bytes > most)
     {
       const auto last = std::prev(this->Uses.end());
       CacheUser& user = *last->User;

@@ -14,7 +14,7 @@ namespace gatun
 struct CacheStatistics
 {
   std::uint64_t Bytes = 0;     ///< held now, including the cache's own nodes
-  std::uint64_t PeakBytes = 0; ///< maximum since the budget was set; never more than the budget
+  std::uint64_t PeakBytes = 0; ///< maximum since the budget was set
   std::uint64_t Entries = 0;   ///< held now
   std::uint64_t Found = 0;     ///< searches that returned an entry
   std::uint64_t Made = 0;      ///< entries offered to the cache, whether it kept them or not

@@ -48,7 +48,7 @@ protected:
   void CountMade();
   bool CanFit(std::uint64_t bytes) const;
   bool HasRoom(std::uint64_t bytes) const;
-  /** Takes out entries of all caches until an entry that can fit does fit. */
+  /** Takes out entries of all caches until an entry fits, or there are none left. */
   void MakeRoom(std::uint64_t bytes, Entries& dropped);
   /** Adds the one entry of a list. */
   void Add(Entries& added);

@@ -318,10 +318,13 @@ TEST(LevelOfDetailCache, FailuresAreReported)
 TEST(LevelOfDetailCache, WaitingCanBeStoppedWhileTheWorkGoesOn)
 {
   const auto told = std::make_shared<Record>();
+  std::atomic<bool> hasBegun{ false };
   std::atomic<bool> mayEnd{ false };
   std::atomic<bool> wasStopped{ false };
   const auto make = [&](const RaySource::Progress& progress) -> std::shared_ptr<LevelsOfDetail>
   {
+    hasBegun = true;
+    hasBegun.notify_all();
     while (!mayEnd && progress(0.5))
     {
       std::this_thread::yield();
@@ -338,9 +341,13 @@ TEST(LevelOfDetailCache, WaitingCanBeStoppedWhileTheWorkGoesOn)
     EXPECT_EQ(levels.WaitForLevels().GetNumberOfPoints(), Points);
   }
   EXPECT_FALSE(wasStopped);
+  hasBegun = false;
   mayEnd = false;
-  LevelOfDetailCache(
-    make, std::make_shared<FakeSource>(told), {}); // ends although nothing is known
+  {
+    const LevelOfDetailCache levels(make, std::make_shared<FakeSource>(told), {});
+    hasBegun.wait(false);
+    // Ends although nothing is known.
+  }
   EXPECT_TRUE(wasStopped);
 }
 }

@@ -173,6 +173,51 @@ TEST(Cache, KeepFirstRemovesNothing)
   }
 }
 
+TEST(Cache, KeepLastKeepsWhateverWasUsedLast)
+{
+  Numbers cache(std::make_shared<CacheBudget>(3 * NumberBytes), CachePolicy::KeepLast);
+  Keep(cache, 1);
+  Keep(cache, 2);
+  for (const std::uint64_t bytes : { 3 * NumberBytes, ~std::uint64_t{ 0 } })
+  {
+    cache.Keep(3, std::make_shared<const int>(3), bytes);
+    EXPECT_NE(cache.Find(3), nullptr);
+    EXPECT_EQ(cache.GetStatistics().Entries, 1u);
+    Keep(cache, 4); // there is no room for both
+    EXPECT_EQ(cache.Find(3), nullptr);
+    EXPECT_NE(cache.Find(4), nullptr);
+    EXPECT_EQ(cache.GetStatistics().Bytes, NumberBytes);
+  }
+}
+
+TEST(Cache, MakesOnceWhatItKeeps)
+{
+  struct Text
+  {
+    std::string Value;
+    std::uint64_t GetBytes() const { return this->Value.size(); }
+  };
+  Cache<int, void> cache(std::make_shared<CacheBudget>(1000));
+  unsigned made = 0;
+  const auto get = [&](int key, std::size_t size)
+  {
+    return cache.FindOrMake<Text>(key,
+      [&]
+      {
+        ++made;
+        return Text{ std::string(size, 'a') };
+      });
+  };
+  const auto first = get(1, 10);
+  EXPECT_EQ(get(1, 20), first);
+  EXPECT_EQ(first->Value.size(), 10u);
+  EXPECT_EQ(made, 1u);
+  EXPECT_EQ(cache.GetStatistics().Bytes, 10 + decltype(cache)::Overhead);
+  EXPECT_EQ(get(2, 2000)->Value.size(), 2000u); // too large to be kept
+  EXPECT_EQ(get(2, 2000)->Value.size(), 2000u);
+  EXPECT_EQ(made, 3u);
+}
+
 TEST(Cache, DestroysPartsWithoutTheLock)
 {
   // A part that uses its cache while it is destroyed would wait forever.
