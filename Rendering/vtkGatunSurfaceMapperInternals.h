@@ -5,6 +5,7 @@
 #define vtkGatunSurfaceMapperInternals_h
 
 #include "gatunDetailSettings.h"
+#include "gatunOwned.h"
 #include "gatunPublishedFile.h"
 #include "gatunStatistics.h"
 #include "gatunSurfaceCutter.h"
@@ -53,7 +54,7 @@ public:
   std::uint64_t Drawn = 0;
   std::uint64_t Culled = 0;
   std::uint64_t Decoded = 0;
-  gatun::DetailPolicyOwner Policy;
+  gatun::Owned<vtkGatunDetailPolicy> Policy;
   gatun::Statistics Statistics;
 
   ~vtkInternals();

@@ -21,8 +21,6 @@ namespace gtn
 template <typename Writer>
 void RunWriter(Writer* writer, const std::string& inputName, Progress& progress)
 {
-  // Whoever gets here without -f has no such file.
-  writer->ReplaceReadOnlyOn();
   progress.Watch(writer);
   const bool good = writer->Write() != 0;
   CheckInterrupt();

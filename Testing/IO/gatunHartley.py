@@ -9,9 +9,9 @@ from vtkmodules.vtkCommonCore import vtkAbstractArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 import gatunMeshes as gm
-from gatun import vtkGatunErrorCode, vtkGatunHartleyReader, vtkGatunHartleyWriter
+from gatun import vtkGatunErrorCode, vtkGatunHartleyEncoding, vtkGatunHartleyReader, vtkGatunHartleyWriter
 
-LOSSLESS = {"RateControl": vtkGatunHartleyWriter.RATE_CONTROL_RMS_ERROR, "RMSError": 0}
+LOSSLESS = {"RateControl": vtkGatunHartleyEncoding.RATE_CONTROL_RMS_ERROR, "RMSError": 0}
 INVALID = vtkGatunErrorCode.InvalidInputError
 
 
@@ -59,8 +59,7 @@ def write(image, path, **options):
     writer = vtkGatunHartleyWriter()
     writer.SetInputData(image)
     writer.SetFileName(path)
-    for name, value in options.items():
-        getattr(writer, "Set" + name)(value)
+    gm.set_options(writer, **options)
     errors = gm.Errors(writer)
     assert writer.Write() == 1, (path, str(errors))
     assert writer.GetErrorCode() == 0
