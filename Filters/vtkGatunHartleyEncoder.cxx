@@ -4,11 +4,15 @@
 #include "vtkGatunHartleyEncoder.h"
 
 #include "gatunErrorCodes.h"
+#include "gatunHartleyParameters.h"
 #include "gatunImageEncoder.h"
+#include "gatunOwned.h"
 #include "gatunReport.h"
+#include "gatunStatistics.h"
 #include "gatunVolumeBridge.h"
 #include "vtkGatunCompat.h"
 #include "vtkGatunHartleyCoefficients.h"
+#include "vtkGatunHartleyEncoding.h"
 
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
@@ -71,7 +75,10 @@ void PassPart(vtkImageData* input, const std::array<int, 6>& extent, vtkImageDat
 class vtkGatunHartleyEncoder::vtkInternals
 {
 public:
+  gatun::Owned<vtkGatunHartleyEncoding> Encoding;
   gatun::ImageEncoder Encoder;
+  std::uint64_t Encodings = 0;
+  gatun::Statistics Statistics;
 };
 
 //------------------------------------------------------------------------------
@@ -85,28 +92,36 @@ vtkGatunHartleyEncoder::vtkGatunHartleyEncoder()
 vtkGatunHartleyEncoder::~vtkGatunHartleyEncoder() = default;
 
 //------------------------------------------------------------------------------
-void vtkGatunHartleyEncoder::SetBlockSize(int size)
+void vtkGatunHartleyEncoder::SetEncoding(vtkGatunHartleyEncoding* encoding)
 {
-  const int clamped = gatun::ClampBlockSize(size);
-  if (clamped != this->BlockSize)
+  if (this->Internals->Encoding.Set(encoding))
   {
-    this->BlockSize = clamped;
     this->Modified();
   }
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkGatunHartleyEncoder::GetNumberOfBlocks()
+vtkGatunHartleyEncoding* vtkGatunHartleyEncoder::GetEncoding()
 {
-  const auto& coefficients = this->Internals->Encoder.GetCoefficients();
-  return coefficients ? static_cast<vtkIdType>(coefficients->GetLayout().GetNumberOfBlocks()) : 0;
+  return this->Internals->Encoding.Get();
 }
 
 //------------------------------------------------------------------------------
-vtkTypeUInt64 vtkGatunHartleyEncoder::GetNumberOfCoefficients()
+vtkTable* vtkGatunHartleyEncoder::GetStatistics()
 {
   const auto& coefficients = this->Internals->Encoder.GetCoefficients();
-  return coefficients ? coefficients->GetNumberOfTerms() : 0;
+  gatun::Statistics& table = this->Internals->Statistics;
+  table.Clear();
+  table.Add("Blocks", coefficients ? coefficients->GetLayout().GetNumberOfBlocks() : 0);
+  table.Add("Coefficients", coefficients ? coefficients->GetNumberOfTerms() : 0);
+  table.Add("Encodings", this->Internals->Encodings);
+  return table.Get();
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkGatunHartleyEncoder::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->GetEncoding()->GetMTime());
 }
 
 //------------------------------------------------------------------------------
@@ -165,14 +180,13 @@ int vtkGatunHartleyEncoder::RequestData(
   {
     this->UpdateProgress(0);
     const bool isNew = encoder.Encode(input, this->GetInputArrayInformation(0),
-      { this->BlockSize, this->RateControl, this->Quality, this->RMSError, this->PSNR,
-        this->BitsPerVoxel, this->FrequencyWeight },
+      gatun::GetParameters(this->GetEncoding()),
       [this](double fraction)
       {
         this->UpdateProgress(fraction);
         return !gatun::IsAborted(this);
       });
-    this->NumberOfEncodings += isNew;
+    this->Internals->Encodings += isNew;
     PassPart(input, GetRequestedExtent(input, outInfo), output);
     vtkNew<vtkGatunHartleyCoefficients> coefficients;
     coefficients->SetSource(encoder.GetCoefficients(), encoder.GetVolume());
@@ -194,12 +208,8 @@ int vtkGatunHartleyEncoder::RequestData(
 void vtkGatunHartleyEncoder::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  gatun::PrintParameters(os, indent,
-    { this->BlockSize, this->RateControl, this->Quality, this->RMSError, this->PSNR,
-      this->BitsPerVoxel, this->FrequencyWeight });
-  os << indent << "NumberOfBlocks: " << this->GetNumberOfBlocks() << "\n";
-  os << indent << "NumberOfCoefficients: " << this->GetNumberOfCoefficients() << "\n";
-  os << indent << "NumberOfEncodings: " << this->NumberOfEncodings << "\n";
+  os << indent << "Encoding:\n";
+  this->GetEncoding()->PrintSelf(os, indent.GetNextIndent());
 }
 #ifdef VTK_ABI_NAMESPACE_END
 VTK_ABI_NAMESPACE_END

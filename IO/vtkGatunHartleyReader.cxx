@@ -8,6 +8,7 @@
 #include "gatunFileInput.h"
 #include "gatunHartleyFile.h"
 #include "gatunReport.h"
+#include "gatunStatistics.h"
 #include "gatunVolumeBridge.h"
 #include "vtkGatunCompat.h"
 #include "vtkGatunErrorCode.h"
@@ -70,6 +71,8 @@ public:
     this->Coefficients = nullptr;
   }
 
+  gatun::Statistics Statistics;
+
   double CountVoxels() const
   {
     double voxels = 0;
@@ -110,7 +113,6 @@ void vtkGatunHartleyReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfChunks: " << this->GetNumberOfChunks() << "\n";
   os << indent << "FileBytes: " << this->GetFileBytes() << "\n";
   os << indent << "BitsPerVoxel: " << this->GetBitsPerVoxel() << "\n";
-  os << indent << "BytesRead: " << this->GetBytesRead() << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -205,10 +207,13 @@ void vtkGatunHartleyReader::GetRange(double range[2])
 }
 
 //------------------------------------------------------------------------------
-vtkTypeUInt64 vtkGatunHartleyReader::GetBytesRead()
+vtkTable* vtkGatunHartleyReader::GetStatistics()
 {
   const gatun::HartleyFile* const file = this->Internals->Get();
-  return file ? file->GetBytesRead() : 0;
+  gatun::Statistics& table = this->Internals->Statistics;
+  table.Clear();
+  table.Add("BytesRead", file ? file->GetBytesRead() : 0);
+  return table.Get();
 }
 
 //------------------------------------------------------------------------------

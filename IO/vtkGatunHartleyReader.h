@@ -36,6 +36,8 @@
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
+class vtkTable;
+
 class VTKGATUNIO_EXPORT vtkGatunHartleyReader : public vtkImageAlgorithm
 {
 public:
@@ -68,7 +70,7 @@ public:
   /**
    * Properties of the file, after UpdateInformation; zeros if there is no readable file. Block
    * size: voxels along each axis, or 0 for one block of the whole volume. Rate control: the mode,
-   * see vtkGatunHartleyWriter::RateControlType, and its value. Lossless: whether it was written
+   * see vtkGatunHartleyEncoding::RateControlType, and its value. Lossless: whether it was written
    * with an RMS error of 0.
    */
   int GetBlockSize();
@@ -96,10 +98,14 @@ public:
   void GetRange(double range[2]) VTK_SIZEHINT(2);
 
   /**
-   * Number of bytes read since the file was opened, also for those who draw its coefficients. 0
-   * without an open file.
+   * Statistics in the columns of a table of one row:
+   *
+   *  - BytesRead: bytes read since the file was opened, also for those who draw its coefficients; 0
+   *    without an open file.
+   *
+   * The next call returns another table.
    */
-  vtkTypeUInt64 GetBytesRead();
+  vtkTable* GetStatistics();
 
   /**
    * Also checks whether the file has changed on disk.

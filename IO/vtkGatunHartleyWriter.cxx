@@ -6,10 +6,14 @@
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
 #include "gatunHartleyFile.h"
+#include "gatunHartleyParameters.h"
+#include "gatunOwned.h"
 #include "gatunReport.h"
+#include "gatunStatistics.h"
 #include "gatunVolumeBridge.h"
 #include "vtkGatunCompat.h"
 #include "vtkGatunErrorCode.h"
+#include "vtkGatunHartleyEncoding.h"
 
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
@@ -20,6 +24,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -29,7 +34,17 @@ VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkGatunHartleyWriter);
 
 //------------------------------------------------------------------------------
+class vtkGatunHartleyWriter::vtkInternals
+{
+public:
+  gatun::Owned<vtkGatunHartleyEncoding> Encoding;
+  gatun::HartleyWritten Written;
+  gatun::Statistics Statistics;
+};
+
+//------------------------------------------------------------------------------
 vtkGatunHartleyWriter::vtkGatunHartleyWriter()
+  : Internals(std::make_unique<vtkInternals>())
 {
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
@@ -46,23 +61,41 @@ void vtkGatunHartleyWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
-  gatun::PrintParameters(os, indent,
-    { this->BlockSize, this->RateControl, this->Quality, this->RMSError, this->PSNR,
-      this->BitsPerVoxel, this->FrequencyWeight });
-  os << indent << "FileBytes: " << this->FileBytes << "\n";
-  os << indent << "MeasuredRMSError: " << this->MeasuredRMSError << "\n";
-  os << indent << "MaximumError: " << this->MaximumError << "\n";
+  os << indent << "Encoding:\n";
+  this->GetEncoding()->PrintSelf(os, indent.GetNextIndent());
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunHartleyWriter::SetBlockSize(int size)
+void vtkGatunHartleyWriter::SetEncoding(vtkGatunHartleyEncoding* encoding)
 {
-  const int clamped = gatun::ClampBlockSize(size);
-  if (clamped != this->BlockSize)
+  if (this->Internals->Encoding.Set(encoding))
   {
-    this->BlockSize = clamped;
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+vtkGatunHartleyEncoding* vtkGatunHartleyWriter::GetEncoding()
+{
+  return this->Internals->Encoding.Get();
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkGatunHartleyWriter::GetStatistics()
+{
+  const gatun::HartleyWritten& written = this->Internals->Written;
+  gatun::Statistics& table = this->Internals->Statistics;
+  table.Clear();
+  table.Add("FileBytes", written.FileBytes);
+  table.Add("RMSError", written.RMSError);
+  table.Add("MaximumError", written.MaximumError);
+  return table.Get();
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkGatunHartleyWriter::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->GetEncoding()->GetMTime());
 }
 
 //------------------------------------------------------------------------------
@@ -171,19 +204,15 @@ void vtkGatunHartleyWriter::WriteVolume(vtkImageData* image)
   const gatun::BridgedVolume bridged =
     gatun::BridgeVolume(image, this->GetInputArrayInformation(0));
   gatun::HartleyWriterOptions options;
-  options.BlockSize = static_cast<std::uint32_t>(this->BlockSize);
-  options.RateControl = gatun::MakeRateControl({ this->BlockSize, this->RateControl, this->Quality,
-    this->RMSError, this->PSNR, this->BitsPerVoxel, this->FrequencyWeight });
-  const gatun::HartleyWritten written =
-    gatun::WriteHartleyFile(this->FileName, bridged.Volume, options,
-      [this](double fraction)
-      {
-        this->UpdateProgress(fraction);
-        return !gatun::IsAborted(this);
-      });
-  this->FileBytes = written.FileBytes;
-  this->MeasuredRMSError = written.RMSError;
-  this->MaximumError = written.MaximumError;
+  const gatun::HartleyParameters parameters = gatun::GetParameters(this->GetEncoding());
+  options.BlockSize = parameters.BlockSize;
+  options.RateControl = parameters.RateControl;
+  this->Internals->Written = gatun::WriteHartleyFile(this->FileName, bridged.Volume, options,
+    [this](double fraction)
+    {
+      this->UpdateProgress(fraction);
+      return !gatun::IsAborted(this);
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -22,6 +22,8 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -51,10 +53,13 @@ void Print(const VolumePackOptions& options, vtkImageData* volume, vtkGatunHartl
   vtkDataArray* const array = volume->GetPointData()->GetScalars();
   const auto voxels = static_cast<double>(volume->GetNumberOfPoints());
   const double raw = 8. * array->GetDataTypeSize();
-  const double bits = 8 * static_cast<double>(writer->GetFileBytes()) / voxels;
+  vtkTable* const table = writer->GetStatistics();
+  const auto get = [table](const char* name) { return table->GetValueByName(0, name); };
+  const auto bytes = static_cast<std::uint64_t>(get("FileBytes").ToTypeUInt64());
+  const double bits = 8 * static_cast<double>(bytes) / voxels;
   double range[2];
   array->GetRange(range);
-  const double error = writer->GetMeasuredRMSError();
+  const double error = get("RMSError").ToDouble();
   const double psnr = PeakSignalToNoise({ range[0], range[1] }, error);
   const std::string name = array->GetName() ? array->GetName() : "";
   if (options.Json)
@@ -67,21 +72,21 @@ void Print(const VolumePackOptions& options, vtkImageData* volume, vtkGatunHartl
       json["size"].append(size[axis]);
     }
     json["array"] = name;
-    json["bytes"] = static_cast<std::uint64_t>(writer->GetFileBytes());
+    json["bytes"] = Json::UInt64{ bytes };
     json["bitsPerVoxel"] = bits;
     json["ratio"] = raw / bits;
     json["rootMeanSquareError"] = error;
-    json["largestError"] = writer->GetMaximumError();
+    json["largestError"] = get("MaximumError").ToDouble();
     json["psnr"] = psnr;
     json["seconds"] = seconds;
     fmt::print("{}", WriteJson(json));
     return;
   }
   fmt::print("{}: {} x {} x {} voxels, '{}', {}\n", options.Out, size[0], size[1], size[2],
-    MakePrintableLine(name), DescribeByteSize(writer->GetFileBytes()));
+    MakePrintableLine(name), DescribeByteSize(bytes));
   fmt::print("  {:.3f} bits a voxel, 1 : {:.4g}\n", bits, raw / bits);
   fmt::print("  root mean square error {:.4g}, largest error {:.4g}{}\n", error,
-    writer->GetMaximumError(), std::isfinite(psnr) ? fmt::format(", {:.1f} dB", psnr) : "");
+    get("MaximumError").ToDouble(), std::isfinite(psnr) ? fmt::format(", {:.1f} dB", psnr) : "");
 }
 
 void Pack(const VolumePackOptions& options, const Settings& settings)
@@ -93,7 +98,7 @@ void Pack(const VolumePackOptions& options, const Settings& settings)
   CheckWritable(options.Out, options.Overwrite);
   const vtkSmartPointer<vtkImageData> volume = ReadVolume(options.Input, settings);
   vtkNew<vtkGatunHartleyWriter> writer;
-  options.Compression.Apply(writer.Get());
+  options.Compression.Apply(writer->GetEncoding());
   const auto start = std::chrono::steady_clock::now();
   {
     Progress progress("packing", settings.ShowProgress);

@@ -18,10 +18,11 @@
 #include "vtkGatunDefaults.h"
 #include "vtkGatunHartleyEncoder.h"
 #include "vtkGatunHartleyProjection.h"
-#include "vtkGatunHartleyView.h"
 
 #include "vtkCamera.h"
 #include "vtkNew.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
 #include "vtkVolumeProperty.h"
 
 #include <CLI/CLI.hpp>
@@ -74,8 +75,10 @@ void SetUp(vtkGatunHartleyProjection* projection, const VolumeRenderOptions& opt
   projection->SetSize(options.Width, options.Height);
   projection->SetOpacityModel(options.OpacityModel);
   projection->SetExtinction(options.Extinction.value_or(0));
-  projection->SetUseZero(options.Zero.has_value());
-  projection->SetZero(options.Zero.value_or(0));
+  if (options.Zero)
+  {
+    projection->SetZero(*options.Zero);
+  }
   if (options.Window)
   {
     projection->SetWindow(options.Window->Min, options.Window->Max);
@@ -86,7 +89,7 @@ void SetUp(vtkGatunHartleyProjection* projection, const VolumeRenderOptions& opt
   projection->OutputFloatsOn();
   if (options.OpacityModel != vtkGatunHartleyProjection::OPACITY_MODEL_XRAY)
   {
-    vtkGatunHartleyView::SetProperty(projection,
+    projection->SetProperty(
       MakeImageProperty(options, { source.GetFile(), source.GetArray(), source.GetRange() },
         defaults, source.GetBounds(), OpacityKind::Structure));
   }
@@ -102,7 +105,7 @@ void Connect(vtkGatunHartleyProjection* projection, vtkGatunHartleyEncoder* enco
     return;
   }
   source.Connect(encoder);
-  options.Compression.Apply(encoder);
+  options.Compression.Apply(encoder->GetEncoding());
   projection->SetInputConnection(encoder->GetOutputPort());
   Progress progress("compressing", settings.ShowProgress);
   progress.Watch(encoder);
@@ -124,23 +127,25 @@ void Render(const VolumeRenderOptions& options, const Settings& settings)
   Connect(projection, encoder, options, settings, source);
   const auto render = [&](vtkCamera* camera, Progress& progress)
   {
-    vtkGatunHartleyView::SetView(projection, camera);
+    projection->SetCamera(camera);
     progress.Watch(projection);
     projection->Update();
     return projection->GetOutput();
   };
   const auto getStatistics = [&]() -> Statistics
   {
-    return { { "blocks", "blocks drawn", Statistic::Count,
-               static_cast<double>(projection->GetNumberOfBlocksDrawn()) },
-      { "terms", "coefficients summed", Statistic::Count,
-        static_cast<double>(projection->GetNumberOfCoefficients()) } };
+    vtkTable* const table = projection->GetStatistics();
+    const auto get = [table](const char* name)
+    { return table->GetValueByName(0, name).ToDouble(); };
+    return { { "blocks", "blocks drawn", Statistic::Count, get("DrawnBlocks") },
+      { "terms", "coefficients summed", Statistic::Count, get("Coefficients") } };
   };
   const RenderedImage rendered = RenderImage(options, settings,
     { { source.GetFile(), source.GetArray(), source.GetRange() }, source.GetBounds(), defaults,
       render, getStatistics });
 
-  const char* const method = Methods.at(static_cast<std::size_t>(projection->GetMethodUsed()));
+  const int used = projection->GetStatistics()->GetValueByName(0, "Method").ToInt();
+  const char* const method = Methods.at(static_cast<std::size_t>(used));
   Json::Value json;
   json["input"] = source.GetFile();
   json["size"] = MakeJsonArray(source.GetSize());

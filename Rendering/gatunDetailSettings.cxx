@@ -19,19 +19,4 @@ DetailSettings::DetailSettings(vtkGatunDetailPolicy* policy)
   RequireNumber("PixelError", this->PixelError);
   RequireNumber("SimplificationRatio", this->Ratio);
 }
-
-//------------------------------------------------------------------------------
-bool DetailPolicyOwner::Set(vtkGatunDetailPolicy* policy)
-{
-  if (policy == this->Policy)
-  {
-    return false;
-  }
-  this->Policy = policy;
-  if (!policy)
-  {
-    this->Policy = vtkSmartPointer<vtkGatunDetailPolicy>::New();
-  }
-  return true;
-}
 }

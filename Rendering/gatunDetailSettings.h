@@ -6,8 +6,6 @@
 
 #include "vtkGatunDetailPolicy.h"
 
-#include "vtkSmartPointer.h"
-
 namespace gatun
 {
 /** The properties of a vtkGatunDetailPolicy, for an image. */
@@ -23,18 +21,6 @@ struct DetailSettings
 
   /** Throws InvalidInput if a property is not a number. */
   explicit DetailSettings(vtkGatunDetailPolicy* policy);
-};
-
-/** The policy of an object, which is never null. */
-class DetailPolicyOwner
-{
-public:
-  /** Returns whether the policy is another one now. Null: a new one. */
-  bool Set(vtkGatunDetailPolicy* policy);
-  vtkGatunDetailPolicy* Get() const { return this->Policy; }
-
-private:
-  vtkSmartPointer<vtkGatunDetailPolicy> Policy = vtkSmartPointer<vtkGatunDetailPolicy>::New();
 };
 }
 

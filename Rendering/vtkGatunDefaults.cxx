@@ -51,7 +51,7 @@ vtkStandardNewMacro(vtkGatunDefaults);
 
 namespace
 {
-// As of vtkGatunHartleyProjection and gtn.
+// As of gtn.
 constexpr double UnitsPerDiagonal = 100;
 
 //------------------------------------------------------------------------------

@@ -31,7 +31,7 @@
  * *Errors.* Methods return false and report missing or damaged input by vtkErrorMacro. Arguments
  * are unchanged then.
  *
- * @sa vtkGatunVolumeMapper vtkGatunRayCaster vtkGatunHartleyView
+ * @sa vtkGatunVolumeMapper vtkGatunRayCaster vtkGatunHartleyProjection
  */
 
 #ifndef vtkGatunDefaults_h

@@ -7,7 +7,6 @@
 #include "gatunRayImage.h"
 #include "vtkGatunHartleyCoefficients.h"
 #include "vtkGatunHartleyProjection.h"
-#include "vtkGatunHartleyView.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCamera.h"
@@ -185,9 +184,10 @@ double vtkGatunHartleyMapper::ChooseDistance(vtkVolume* volume, double pixels) c
 }
 
 //------------------------------------------------------------------------------
-// ToBorders: the outermost rays are on the borders of the image, instead of in the middle of its
-// outermost pixels.
-bool vtkGatunHartleyMapper::SetView(vtkRenderer* renderer, vtkVolume* volume, bool toBorders)
+// ToBorders: the outermost of so many rows of rays are on the borders of the image, instead of in
+// the middle of its outermost pixels.
+bool vtkGatunHartleyMapper::SetCamera(
+  vtkRenderer* renderer, vtkVolume* volume, int rows, bool toBorders)
 {
   vtkCamera* const active = renderer->GetActiveCamera();
   if (!active->GetParallelProjection())
@@ -201,6 +201,13 @@ bool vtkGatunHartleyMapper::SetView(vtkRenderer* renderer, vtkVolume* volume, bo
     return false;
   }
   this->HasReportedPerspective = false;
+  const vtkMTimeType matrixTime = volume->GetMatrix()->GetMTime();
+  const int borderRows = toBorders ? rows : 0;
+  if (this->Projection->GetCamera() && active->GetMTime() == this->CameraTime &&
+    matrixTime == this->MatrixTime && borderRows == this->BorderRows)
+  {
+    return true;
+  }
   vtkNew<vtkCamera> camera;
   camera->DeepCopy(active);
   if (!MoveToData(volume, camera))
@@ -209,15 +216,18 @@ bool vtkGatunHartleyMapper::SetView(vtkRenderer* renderer, vtkVolume* volume, bo
       "A volume that is scaled unevenly cannot be drawn from its Hartley coefficients.");
     return false;
   }
-  if (!vtkGatunHartleyView::SetView(this->Projection, camera))
-  {
-    return false;
-  }
   if (toBorders)
   {
-    const double rows = this->Projection->GetSize()[1];
-    this->Projection->SetParallelScale(this->Projection->GetParallelScale() * rows / (rows - 1));
+    // The center of the window is in units of the image.
+    const double factor = rows / (rows - 1.0);
+    const double* const center = camera->GetWindowCenter();
+    camera->SetWindowCenter(center[0] / factor, center[1] / factor);
+    camera->SetParallelScale(camera->GetParallelScale() * factor);
   }
+  this->Projection->SetCamera(camera);
+  this->CameraTime = active->GetMTime();
+  this->MatrixTime = matrixTime;
+  this->BorderRows = borderRows;
   return true;
 }
 
@@ -225,7 +235,6 @@ bool vtkGatunHartleyMapper::SetView(vtkRenderer* renderer, vtkVolume* volume, bo
 void vtkGatunHartleyMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkAlgorithmOutput* const input = this->GetInputConnection(0, 0);
-  vtkVolumeProperty* const property = volume->GetProperty();
   int size[2];
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
@@ -245,8 +254,8 @@ void vtkGatunHartleyMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   }
   this->Projection->SetInputConnection(input);
   this->Projection->SetSize(rays);
-  vtkGatunHartleyView::SetProperty(this->Projection, property);
-  if (!this->SetView(renderer, volume, toBorders))
+  this->Projection->SetProperty(volume->GetProperty());
+  if (!this->SetCamera(renderer, volume, rays[1], toBorders))
   {
     return;
   }

@@ -19,7 +19,7 @@
  * @warning Coefficients can be projected along parallel rays only. With a perspective projection,
  * nothing is drawn, after an error message. Call vtkCamera::ParallelProjectionOn.
  *
- * @sa vtkGatunHartleyProjection vtkGatunHartleyView
+ * @sa vtkGatunHartleyProjection
  */
 
 #ifndef vtkGatunHartleyMapper_h
@@ -51,7 +51,7 @@ public:
   ///@{
   /**
    * The projection, for its options: OpacityModel, Extinction, Method, MemoryBudget and others. The
-   * mapper sets view, size, transfer functions and input. Another one may be set, of a subclass
+   * mapper sets camera, size, property and input. Another one may be set, of a subclass
    * that finds the coefficients elsewhere. Not null.
    */
   void SetProjection(vtkGatunHartleyProjection* projection);
@@ -103,7 +103,7 @@ private:
   void operator=(const vtkGatunHartleyMapper&) = delete;
 
   bool HasCoefficients();
-  bool SetView(vtkRenderer* renderer, vtkVolume* volume, bool toBorders);
+  bool SetCamera(vtkRenderer* renderer, vtkVolume* volume, int rows, bool toBorders);
   double ChooseDistance(vtkVolume* volume, double pixels) const;
 
   vtkSmartPointer<vtkGatunHartleyProjection> Projection;
@@ -112,6 +112,11 @@ private:
   double ImageSampleDistance = 1;
   double SecondsPerPixel = 0; // of the last image; 0 if it is not known
   bool HasReportedPerspective = false;
+
+  // What the camera of the projection was made of, so that the same view is not drawn again.
+  vtkMTimeType CameraTime = 0;
+  vtkMTimeType MatrixTime = 0;
+  int BorderRows = 0; // 0: not to the borders
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

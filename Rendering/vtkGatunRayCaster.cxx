@@ -10,6 +10,7 @@
 #include "gatunFileReader.h"
 #include "gatunImagePipeline.h"
 #include "gatunJustInTime.h"
+#include "gatunOwned.h"
 #include "gatunRayCaster.h"
 #include "gatunRayRendering.h"
 #include "gatunRayScene.h"
@@ -77,7 +78,7 @@ public:
   vtkSmartPointer<vtkPlaneCollection> ClippingPlanes;
   gatun::RayScene Scene;
   gatun::JustInTime Frames;
-  gatun::DetailPolicyOwner Policy;
+  gatun::Owned<vtkGatunDetailPolicy> Policy;
   gatun::RayStatistics Counts; // of the last image
   std::uint64_t Points = 0;    // of the last image
   gatun::Statistics Statistics;

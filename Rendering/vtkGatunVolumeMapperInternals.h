@@ -7,6 +7,7 @@
 #include "gatunDetailSettings.h"
 #include "gatunErrorCodes.h"
 #include "gatunJustInTime.h"
+#include "gatunOwned.h"
 #include "gatunRayCaster.h"
 #include "gatunRayImage.h"
 #include "gatunRayRefresh.h"
@@ -132,7 +133,7 @@ struct ImageSetup
 class vtkGatunVolumeMapper::vtkInternals
 {
 public:
-  gatun::DetailPolicyOwner Policy;
+  gatun::Owned<vtkGatunDetailPolicy> Policy;
   gatun::Statistics Statistics;
   gatun::RayScene Scene;
   gatun::RayImage Image;

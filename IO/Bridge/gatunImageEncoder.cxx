@@ -23,8 +23,8 @@ bool ImageEncoder::Encode(vtkImageData* image, vtkInformation* wanted,
   }
   this->Clear();
   const BridgedVolume bridged = BridgeVolume(image, wanted);
-  this->Coefficients = HartleyVolume::Make(bridged.Volume,
-    static_cast<std::uint32_t>(parameters.BlockSize), MakeRateControl(parameters), progress);
+  this->Coefficients =
+    HartleyVolume::Make(bridged.Volume, parameters.BlockSize, parameters.RateControl, progress);
   this->Volume = bridged.Volume;
   this->Volume.Values = nullptr;
   this->Array = array;

@@ -8,11 +8,21 @@
 
 #include "vtkWeakPointer.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 
 namespace gatun
 {
+/** How a volume is encoded. */
+struct HartleyParameters
+{
+  std::uint32_t BlockSize = 8;
+  HartleyRateControl RateControl;
+
+  bool operator==(const HartleyParameters&) const = default;
+};
+
 /** Encodes an image as Hartley coefficients, and again when it or a parameter has changed. */
 class VTKGATUNIO_EXPORT ImageEncoder
 {

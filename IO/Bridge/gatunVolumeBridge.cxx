@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <ostream>
 #include <string>
 
 namespace gatun
@@ -142,51 +141,5 @@ std::array<int, 6> ExtentOf(const VolumeInput& volume)
     extent[2 * axis + 1] = static_cast<int>(last);
   }
   return extent;
-}
-
-//------------------------------------------------------------------------------
-int ClampBlockSize(int blockSize)
-{
-  return blockSize <= 0 ? 0
-                        : std::clamp(blockSize, static_cast<int>(HartleyLayout::SmallestBlock),
-                            static_cast<int>(HartleyLayout::LargestBlock));
-}
-
-//------------------------------------------------------------------------------
-HartleyRateControl MakeRateControl(const HartleyParameters& parameters)
-{
-  HartleyRateControl control;
-  control.FrequencyWeight = parameters.FrequencyWeight;
-  control.Mode = static_cast<HartleyRateMode>(parameters.RateControl);
-  switch (control.Mode)
-  {
-    case HartleyRateMode::Quality:
-      control.Value = parameters.Quality;
-      break;
-    case HartleyRateMode::RMSError:
-      control.Value = parameters.RMSError;
-      break;
-    case HartleyRateMode::PSNR:
-      control.Value = parameters.PSNR;
-      break;
-    case HartleyRateMode::BitsPerVoxel:
-      control.Value = parameters.BitsPerVoxel;
-      break;
-  }
-  return control;
-}
-
-//------------------------------------------------------------------------------
-void PrintParameters(std::ostream& os, vtkIndent indent, const HartleyParameters& parameters)
-{
-  constexpr std::array<const char*, 4> modes{ "Quality", "RMSError", "PSNR", "BitsPerVoxel" };
-  os << indent << "BlockSize: " << parameters.BlockSize << "\n";
-  os << indent << "RateControl: " << modes.at(static_cast<std::size_t>(parameters.RateControl))
-     << "\n";
-  os << indent << "Quality: " << parameters.Quality << "\n";
-  os << indent << "RMSError: " << parameters.RMSError << "\n";
-  os << indent << "PSNR: " << parameters.PSNR << "\n";
-  os << indent << "BitsPerVoxel: " << parameters.BitsPerVoxel << "\n";
-  os << indent << "FrequencyWeight: " << parameters.FrequencyWeight << "\n";
 }
 }

@@ -10,11 +10,9 @@
 #include "gatunHartleyVolume.h"
 
 #include "vtkGatunIOModule.h" // For export macro
-#include "vtkIndent.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
-#include <iosfwd>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
@@ -50,30 +48,6 @@ VTKGATUNIO_EXPORT ArrayDescription DescribeVolumeArray(const VolumeInput& volume
 
 /** The extent of a volume. Throws gatun::Error (Corrupt) if it exceeds VTK's range. */
 VTKGATUNIO_EXPORT std::array<int, 6> ExtentOf(const VolumeInput& volume);
-
-/** The compression parameters of VTK's classes, with their defaults. */
-struct HartleyParameters
-{
-  int BlockSize = 8;
-  int RateControl = 0; ///< number of a HartleyRateMode
-  double Quality = 60;
-  double RMSError = 0;
-  double PSNR = 50;
-  double BitsPerVoxel = 1;
-  double FrequencyWeight = 0;
-
-  bool operator==(const HartleyParameters&) const = default;
-};
-
-/** The nearest block size that is possible: 0 (or less) for the whole volume, or 2 to 64. */
-VTKGATUNIO_EXPORT int ClampBlockSize(int blockSize);
-
-/** The mode and the value that belongs to it. */
-VTKGATUNIO_EXPORT HartleyRateControl MakeRateControl(const HartleyParameters& parameters);
-
-/** Prints the parameters for PrintSelf. */
-VTKGATUNIO_EXPORT void PrintParameters(
-  std::ostream& os, vtkIndent indent, const HartleyParameters& parameters);
 }
 
 #endif

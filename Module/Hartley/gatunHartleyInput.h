@@ -46,6 +46,8 @@ struct HartleyRateControl
   /** How much coarser the highest frequencies are quantized than the lowest: 0 (not at all) to 4.
    */
   double FrequencyWeight = 0;
+
+  bool operator==(const HartleyRateControl&) const = default;
 };
 }
 

@@ -91,12 +91,6 @@ void VolumeSource::SetPlace(vtkImageData* volume)
 }
 
 //------------------------------------------------------------------------------
-std::uint64_t VolumeSource::GetBytesRead() const
-{
-  return this->Reader ? this->Reader->GetBytesRead() : 0;
-}
-
-//------------------------------------------------------------------------------
 void VolumeSource::Connect(vtkImageAlgorithm* algorithm) const
 {
   if (this->Reader)

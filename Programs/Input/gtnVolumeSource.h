@@ -42,9 +42,6 @@ public:
   /** Whether it is a .ghv file. */
   bool IsFile() const { return this->Reader; }
 
-  /** Bytes read from the .ghv file since it was opened. */
-  std::uint64_t GetBytesRead() const;
-
   /** Makes the volume the input of an algorithm. */
   void Connect(vtkImageAlgorithm* algorithm) const;
   void Connect(vtkGatunDefaults* defaults) const;

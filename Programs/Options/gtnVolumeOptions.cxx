@@ -6,6 +6,7 @@
 #include "gtnParse.h"
 
 #include "gatunVolumeDescription.h"
+#include "vtkGatunHartleyEncoding.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -33,6 +34,30 @@ int ParseBlock(const std::string& text)
 }
 
 } // anonymous namespace
+
+//------------------------------------------------------------------------------
+void CompressionOptions::Apply(vtkGatunHartleyEncoding* encoding) const
+{
+  using Mode = gatun::HartleyRateMode;
+  encoding->SetBlockSize(this->BlockSize);
+  encoding->SetRateControl(static_cast<int>(this->RateControl.Mode));
+  switch (this->RateControl.Mode)
+  {
+    case Mode::Quality:
+      encoding->SetQuality(this->RateControl.Value);
+      break;
+    case Mode::RMSError:
+      encoding->SetRMSError(this->RateControl.Value);
+      break;
+    case Mode::PSNR:
+      encoding->SetPSNR(this->RateControl.Value);
+      break;
+    case Mode::BitsPerVoxel:
+      encoding->SetBitsPerVoxel(this->RateControl.Value);
+      break;
+  }
+  encoding->SetFrequencyWeight(this->RateControl.FrequencyWeight);
+}
 
 //------------------------------------------------------------------------------
 void AddCompression(CLI::App* command, CompressionOptions& options, const char* group)

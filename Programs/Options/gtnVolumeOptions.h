@@ -11,6 +11,14 @@
 
 #include <string>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+class vtkGatunHartleyEncoding;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
+
 namespace gtn
 {
 struct CompressionOptions
@@ -18,30 +26,7 @@ struct CompressionOptions
   int BlockSize = 8; ///< 0: whole
   gatun::HartleyRateControl RateControl;
 
-  /** Sets the properties of a vtkGatunHartleyWriter or a vtkGatunHartleyEncoder. */
-  template <typename Algorithm>
-  void Apply(Algorithm* algorithm) const
-  {
-    using Mode = gatun::HartleyRateMode;
-    algorithm->SetBlockSize(this->BlockSize);
-    algorithm->SetRateControl(static_cast<int>(this->RateControl.Mode));
-    switch (this->RateControl.Mode)
-    {
-      case Mode::Quality:
-        algorithm->SetQuality(this->RateControl.Value);
-        break;
-      case Mode::RMSError:
-        algorithm->SetRMSError(this->RateControl.Value);
-        break;
-      case Mode::PSNR:
-        algorithm->SetPSNR(this->RateControl.Value);
-        break;
-      case Mode::BitsPerVoxel:
-        algorithm->SetBitsPerVoxel(this->RateControl.Value);
-        break;
-    }
-    algorithm->SetFrequencyWeight(this->RateControl.FrequencyWeight);
-  }
+  void Apply(vtkGatunHartleyEncoding* encoding) const;
 };
 
 /** --block, --quality, --rms-error, --psnr, --bits-per-voxel and --weight. */

@@ -67,10 +67,9 @@ def _draw_volume(scene, size, camera, transfer, blend):
     projection.OutputFloatsOn()
     if scene.array is not None:
         projection.SetInputArrayToProcess(0, 0, 0, scene.association, scene.array)
-    view = get_class("vtkGatunHartleyView")
-    view.SetProperty(projection, transfer)
+    projection.SetProperty(transfer)
+    projection.SetCamera(camera)
     scene.connect(projection)
-    view.SetView(projection, camera)
     scene.update(projection)
     return _get_pixels(projection.GetOutput().GetPointData().GetArray("RGBA"), size)
 

@@ -241,14 +241,15 @@ def _run(writer, algorithms):
 def _write_volume(data, path, rates, block_size, arrays):
     writer = get_class("vtkGatunHartleyWriter")()
     writer.SetFileName(path)
+    encoding = writer.GetEncoding()
     chosen = [name for name, value in rates.items() if value is not None]
     if len(chosen) > 1:
         raise ValueError(f"{' and '.join(chosen)} exclude each other")
     for name in chosen:
         prop, mode = _VOLUME_RATES[name]
-        set_property(writer, name, prop, float(rates[name]))
-        writer.SetRateControl(mode)
-    set_property(writer, "block_size", "BlockSize", block_size)
+        set_property(encoding, name, prop, float(rates[name]))
+        encoding.SetRateControl(mode)
+    set_property(encoding, "block_size", "BlockSize", block_size)
     entry = Input(data)
     if not isinstance(entry.data, vtkImageData):
         raise TypeError(f"data: a {type(entry.data).__name__} cannot be written as a .ghv file")

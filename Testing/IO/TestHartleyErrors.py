@@ -89,7 +89,7 @@ for wide in ([-1e300, 1e300], [-1e308, 1e308], [0, 1e40], [0, 5e-324]):
 refuse(gh.make_volume(np.array([[[-2 ** 63, 2 ** 63 - 1]]], np.int64)), "beyond 2^53")
 
 # Properties are clamped to their range; what is not a number is an error.
-for owner in (vtkGatunHartleyWriter(), vtkGatunHartleyEncoder()):
+for owner in (vtkGatunHartleyWriter().GetEncoding(), vtkGatunHartleyEncoder().GetEncoding()):
     for name, values_, expected_ in (
         ("BlockSize", (-1, 1, 65, 2147483647, -2147483648), (0, 2, 64, 64, 0)),
         ("RateControl", (-1, 4), (0, 3)), ("Quality", (0, 101), (1, 100)), ("RMSError", (-1,), (0,)),
@@ -112,6 +112,22 @@ os.chmod(path, 0o400)
 refuse(good, expected=vtkErrorCode.CannotOpenFileError)
 assert open(path, "rb").read() == before
 os.chmod(path, 0o600)
+gh.write(good, path)
+assert open(path, "rb").read() == before
+
+# Encodings: each writer and encoder has one and never none, which may be shared.
+for make in (vtkGatunHartleyWriter, vtkGatunHartleyEncoder):
+    one, other = make(), make()
+    own = one.GetEncoding()
+    assert own and own is one.GetEncoding() and own is not other.GetEncoding()
+    one.SetEncoding(other.GetEncoding())
+    assert one.GetEncoding() is other.GetEncoding()
+    for change in (lambda: other.GetEncoding().SetQuality(33), lambda: one.SetEncoding(None)):
+        time = one.GetMTime()
+        change()
+        assert one.GetMTime() > time, make
+    assert one.GetEncoding() not in (None, own, other.GetEncoding())
+    assert one.GetEncoding().GetQuality() == 60 and "Quality: 33" in str(other)
 
 # An abort.
 writer = vtkGatunHartleyWriter()

@@ -9,9 +9,9 @@ from vtkmodules.vtkCommonCore import vtkAbstractArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 import gatunMeshes as gm
-from gatun import vtkGatunErrorCode, vtkGatunHartleyReader, vtkGatunHartleyWriter
+from gatun import vtkGatunErrorCode, vtkGatunHartleyEncoding, vtkGatunHartleyReader, vtkGatunHartleyWriter
 
-LOSSLESS = {"RateControl": vtkGatunHartleyWriter.RATE_CONTROL_RMS_ERROR, "RMSError": 0}
+LOSSLESS = {"RateControl": vtkGatunHartleyEncoding.RATE_CONTROL_RMS_ERROR, "RMSError": 0}
 INVALID = vtkGatunErrorCode.InvalidInputError
 
 

@@ -143,9 +143,12 @@ class Errors:
 
 
 def set_options(algorithm, **options):
-    """Sets properties of an algorithm, or of its detail policy where they are there."""
+    """Sets properties of an algorithm, or of its detail policy or encoding where they are there."""
+    owners = [algorithm]
+    owners += [getattr(algorithm, get)() for get in ("GetDetailPolicy", "GetEncoding")
+               if hasattr(algorithm, get)]
     for name, value in options.items():
-        owner = algorithm if hasattr(algorithm, "Set" + name) else algorithm.GetDetailPolicy()
+        owner = next(owner for owner in owners if hasattr(owner, "Set" + name))
         getattr(owner, "Set" + name)(*(value if isinstance(value, tuple) else (value,)))
 
 

@@ -8,8 +8,8 @@ import numpy as np
 import gatunHartley as gh
 import gatunMeshes as gm
 import gatunScenes as gs
-from gatun import (vtkGatunHartleyEncoder, vtkGatunHartleyProjection, vtkGatunHartleyReader,
-                   vtkGatunHartleyView)
+from gatun import (vtkGatunHartleyEncoder, vtkGatunHartleyEncoding, vtkGatunHartleyProjection,
+                   vtkGatunHartleyReader)
 
 
 def phantom(n=40):
@@ -31,17 +31,16 @@ def draw(source=None, block=8, **options):
     if not source.IsA("vtkAlgorithm"):
         encoder = vtkGatunHartleyEncoder()
         encoder.SetInputData(source)
-        encoder.SetBlockSize(block)
-        encoder.SetRateControlToPSNR()
-        encoder.SetPSNR(50)
+        encoder.GetEncoding().SetBlockSize(block)
+        encoder.GetEncoding().SetRateControlToPSNR()
+        encoder.GetEncoding().SetPSNR(50)
     projection = vtkGatunHartleyProjection()
     projection.SetInputConnection((encoder or source).GetOutputPort())
     projection.SetSize(gs.SIZE, gs.SIZE)
-    projection.UseBackgroundOn()
     projection.SetBackground(*gs.BACKGROUND)
     opacities = ((0.1, 0), (0.3, 0.15), (0.5, 0.1), (0.7, 0.5), (1, 0.95))
-    vtkGatunHartleyView.SetProperty(projection, gs.volume_property(unit=0.2, opacities=opacities))
-    assert vtkGatunHartleyView.SetView(projection, gs.make_camera(parallel=True))
+    projection.SetProperty(gs.volume_property(unit=0.2, opacities=opacities))
+    projection.SetCamera(gs.make_camera(parallel=True))
     for name, value in options.items():
         getattr(projection, "Set" + name)(*(value if isinstance(value, tuple) else (value,)))
     projection.Update()
@@ -70,7 +69,7 @@ def HartleySlices():
 def HartleyFile():
     """A file of which no voxel is decoded. The baseline is the one of HartleyTransferFunction."""
     path = gm.temporary("images-phantom.ghv")
-    gh.write(phantom(), path, BlockSize=8, RateControl=vtkGatunHartleyEncoder.RATE_CONTROL_PSNR,
+    gh.write(phantom(), path, BlockSize=8, RateControl=vtkGatunHartleyEncoding.RATE_CONTROL_PSNR,
              PSNR=50)
     reader = vtkGatunHartleyReader()
     reader.SetFileName(path)

@@ -154,7 +154,8 @@ assert not problems, "\n" + "\n".join(problems)
 assert checked >= 20, checked
 assert {proxy.get("class") for _, proxy in proxies} >= \
     {"vtkGatunReader", "vtkGatunSurfaceReader", "vtkGatunPVWriter", "vtkGatunPVMergeBlocks", "vtkGatunVolumeRepresentation",
-     "vtkGatunSurfaceRepresentation", "vtkGatunDetailPolicy", "vtkGatunHartleyRepresentation",
+     "vtkGatunSurfaceRepresentation", "vtkGatunDetailPolicy", "vtkGatunHartleyEncoding",
+     "vtkGatunHartleyRepresentation",
      "vtkGatunHartleyEncoder", "vtkGatunHartleyReader", "vtkGatunHartleyWriter",
      "vtkGatunPVProjection", "vtkGatunSplitBlocks"}
 

@@ -189,8 +189,8 @@ for mode, (name, value) in enumerate(
     writer = gatun.vtkGatunHartleyWriter()
     writer.SetInputData(volume)
     writer.SetFileName(find("reference.ghv"))
-    writer.SetRateControl(mode)
-    getattr(writer, "Set" + name)(value)
+    writer.GetEncoding().SetRateControl(mode)
+    getattr(writer.GetEncoding(), "Set" + name)(value)
     writer.Write()
     option = ("quality", "rms_error", "psnr", "bits_per_voxel")[mode]
     gatun.write(volume, path, **{option: value})

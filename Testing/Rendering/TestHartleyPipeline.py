@@ -14,8 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 import gatunHartley as gh
 import gatunMeshes as gm
 import gatunRays as gr
-from gatun import (
-    vtkGatunErrorCode, vtkGatunHartleyProjection, vtkGatunHartleyReader, vtkGatunHartleyView)
+from gatun import vtkGatunErrorCode, vtkGatunHartleyProjection
 
 INVALID = vtkGatunErrorCode.InvalidInputError
 field = gh.blobs((30, 26, 34), seed=6, scale=1000).astype(np.int16)
@@ -34,59 +33,55 @@ def update(projection):
 encoder = gr.make_encoder(image)
 projection = gr.make_projection(encoder, camera, Size=(60, 50), Property=colors)
 picture = update(projection)
-assert projection.GetNumberOfVolumes() == 1 and projection.GetNumberOfCoefficients() > 0
-assert projection.GetNumberOfBlocksDrawn() > 0 and projection.GetMethodUsed() == 3
-assert encoder.GetNumberOfEncodings() == 1
+assert gm.statistic(projection, "Volumes") == 1 and gm.statistic(projection, "Coefficients") > 0
+assert gm.statistic(projection, "DrawnBlocks") > 0 and gm.statistic(projection, "Method") == 3
+assert gm.statistic(encoder, "Encodings") == 1
 time = projection.GetOutput().GetMTime()
 assert (update(projection) == picture).all() and projection.GetOutput().GetMTime() == time
 
 
-def turn(change):
-    change()
-    assert vtkGatunHartleyView.SetView(projection, camera)
-
-
-for change in (lambda: turn(lambda: camera.Azimuth(20)), lambda: turn(lambda: camera.Zoom(1.5)),
-               lambda: turn(lambda: camera.Roll(30)), lambda: projection.SetZoom(1.2),
-               lambda: projection.SetFocalPoint(image.GetOrigin()),
+other = gr.make_camera((-0.2, 0.3, -1), focus=image.GetOrigin(), scale=15)
+plain = gr.make_property([(0, 0, 0, 0), (1000, 1, 1, 1)], [(0, 0), (1000, 0.4)], 0.5)
+for change in (lambda: camera.Azimuth(20), lambda: camera.Zoom(1.5), lambda: camera.Roll(30),
+               lambda: projection.SetCamera(other), lambda: projection.SetCamera(camera),
                lambda: colors.GetScalarOpacity().AddPoint(500, 0.1),
                lambda: colors.GetRGBTransferFunction().AddRGBPoint(500, 0, 1, 0),
-               lambda: projection.SetScalarOpacityUnitDistance(2),
-               lambda: projection.SetColorTransferFunction(None),
+               lambda: colors.SetScalarOpacityUnitDistance(2),
+               lambda: projection.SetProperty(plain), lambda: projection.SetProperty(None),
                projection.SetOpacityModelToExponential,
-               lambda: projection.SetExtinction(0.01), lambda: projection.SetZero(300) or
-               projection.UseZeroOn(), projection.UseBackgroundOn,
+               lambda: projection.SetExtinction(0.01), lambda: projection.SetZero(300),
+               lambda: projection.SetZero(np.nan), lambda: projection.SetBackground(0, 0, 0),
                lambda: projection.SetBackground(1, 0, 0), projection.SetOpacityModelToXRay,
                lambda: projection.SetWindow(0, 30000), lambda: projection.SetSize(50, 50)):
     change()
     changed = update(projection)
     assert changed.shape != picture.shape or (changed != picture).any()
     picture = changed
-    assert projection.GetNumberOfVolumes() == 1 and encoder.GetNumberOfEncodings() == 1
+    assert gm.statistic(projection, "Volumes") == 1 and gm.statistic(encoder, "Encodings") == 1
 for method in (1, 2, 0):
     projection.SetMethod(method)
     update(projection)
-    assert projection.GetMethodUsed() == (method or 3) and projection.GetNumberOfVolumes() == 1
+    assert gm.statistic(projection, "Method") == (method or 3) and gm.statistic(projection, "Volumes") == 1
 count = 1
-for change in (lambda: encoder.SetQuality(20), lambda: encoder.SetBlockSize(4),
-               lambda: encoder.SetRateControl(3), lambda: encoder.SetBitsPerVoxel(0.5),
-               lambda: encoder.SetFrequencyWeight(1), image.Modified):
+encoding = encoder.GetEncoding()
+for change in (lambda: encoding.SetQuality(20), lambda: encoding.SetBlockSize(4),
+               lambda: encoding.SetRateControl(3), lambda: encoding.SetBitsPerVoxel(0.5),
+               lambda: encoding.SetFrequencyWeight(1), image.Modified):
     change()
     update(projection)
     count += 1
-    assert projection.GetNumberOfVolumes() == encoder.GetNumberOfEncodings() == count, change
+    assert gm.statistic(projection, "Volumes") == gm.statistic(encoder, "Encodings") == count, change
 
 # The projection encodes an image that comes without coefficients, once for each of its versions.
 values = vtk_to_numpy(image.GetPointData().GetScalars())
 direct = gr.make_projection(image, camera, Size=(60, 50))
 picture = update(direct)
 camera.Azimuth(1)
-assert vtkGatunHartleyView.SetView(direct, camera)
-assert (update(direct) != picture).any() and direct.GetNumberOfVolumes() == 1
+assert (update(direct) != picture).any() and gm.statistic(direct, "Volumes") == 1
 values[:] = field.ravel() // 2
 image.GetPointData().GetScalars().Modified()
 update(direct)
-assert direct.GetNumberOfVolumes() == 2
+assert gm.statistic(direct, "Volumes") == 2
 found = [0, 0]
 direct.GetRange(found)
 assert found == [(field // 2).min(), (field // 2).max()], found
@@ -128,13 +123,12 @@ for size, options in ((8, {}), (16, {"Quality": 30}), (0, gr.LOSSLESS), (5, {"Ra
         update(projection)
         assert abs(gr.array_of(projection, "RGBA") - of_image).max() < 1e-4, (size, model)
         assert reader.GetOutput().GetNumberOfPoints() == 0
-        assert 0 < reader.GetBytesRead() and projection.GetNumberOfVolumes() == 1
-    read = reader.GetBytesRead()
+        assert 0 < gm.statistic(reader, "BytesRead") and gm.statistic(projection, "Volumes") == 1
+    read = gm.statistic(reader, "BytesRead")
     camera.Azimuth(5)
-    assert vtkGatunHartleyView.SetView(projection, camera)
     update(projection)
-    assert reader.GetBytesRead() == read  # the coefficients fit into the memory budget
-    assert projection.GetNumberOfVolumes() == 1 and reader.GetOutput().GetNumberOfPoints() == 0
+    assert gm.statistic(reader, "BytesRead") == read  # the coefficients fit into the memory budget
+    assert gm.statistic(projection, "Volumes") == 1 and reader.GetOutput().GetNumberOfPoints() == 0
 
 # Voxels that the reader has, or that another consumer requests, remain.
 reader = gh.open_file(path)
@@ -144,7 +138,6 @@ projection = gr.make_projection(reader, camera, Size=(60, 50))
 update(projection)
 assert reader.GetOutput().GetNumberOfPoints() == field.size
 camera.Azimuth(5)
-assert vtkGatunHartleyView.SetView(projection, camera)
 update(projection)
 assert reader.GetOutput().GetNumberOfPoints() == field.size
 reader = gh.open_file(path)
@@ -156,7 +149,7 @@ assert (update(projection) == picture).all()
 
 # Another file of the same name is another volume.
 gh.write(gh.make_volume(field[::-1].copy(), (2, 3, 4), (1, 2, 3), (0.5, 0.6, 0.7)), path)
-assert (update(projection) != picture).any() and projection.GetNumberOfVolumes() == 2
+assert (update(projection) != picture).any() and gm.statistic(projection, "Volumes") == 2
 
 
 # Errors.
@@ -176,31 +169,29 @@ expected = gr.draw(image, camera, Size=(20, 20))
 # Properties are clamped to their range; what is not a number is an error, and can be repaired.
 projection = vtkGatunHartleyProjection()
 for name, value, clamped in (
-    ("Size", (0, 5), (1, 5)), ("Size", (32001, 2147483647), (32000, 32000)), ("Zoom", -1, 1e-6),
-    ("ParallelScale", -1, 0), ("SampleDistance", -1, 0), ("Extinction", -1, 0),
+    ("Size", (0, 5), (1, 5)), ("Size", (32001, 2147483647), (32000, 32000)),
+    ("SampleDistance", -1, 0), ("Extinction", -1, 0),
     ("MemoryBudget", -1, 0), ("OpacityModel", 3, 2), ("Method", -1, 0),
-    ("ScalarOpacityUnitDistance", -1, 0), ("Background", (-1, 2, 0.5), (0, 1, 0.5)),
+    ("Background", (-2, 2, 0.5), (-1, 1, 0.5)),
 ):
-    gr.set_all(projection, {name: value})
+    gm.set_options(projection, **{name: value})
     assert getattr(projection, "Get" + name)() == clamped, (name, value)
 bad = {
-    "SampleDistance": (np.nan,), "Window": ((np.nan, 1), (0, np.inf)), "Zero": (np.nan,),
-    "Extinction": (np.nan,), "ScalarOpacityUnitDistance": (np.nan,),
+    "SampleDistance": (np.nan,), "Window": ((np.nan, 1), (0, np.inf)), "Zero": (np.inf, -np.inf),
+    "Extinction": (np.nan,),
+    "Property": [gr.make_property([], [], unit) for unit in (np.nan, 0, -1, np.inf)],
 }
 for name, values in bad.items():
     for value in values:
-        projection = gr.make_projection(image, camera, **{"Size": (20, 20), "UseZero": name == "Zero",
-                                                          name: value})
+        projection = gr.make_projection(image, camera, **{"Size": (20, 20), name: value})
         refuse(projection)
         kept = getattr(vtkGatunHartleyProjection(), "Get" + name)()
-        gr.set_all(projection, {"UseZero": False, name: kept})
+        gm.set_options(projection, **{name: kept})
         assert np.array_equal(update(projection), expected), (name, value)
-for options in (dict(ViewDirection=(0, 0, 0)), dict(ViewUp=(0, 0, 0)), dict(ViewUp=(0, 0, 3)),
-                dict(ViewDirection=(np.nan, 0, 1)), dict(ViewUp=(np.inf, 0, 1))):
-    refuse(gr.make_projection(image, None, **options), "do not define a view")
-for options in (dict(Zoom=np.nan), dict(ParallelScale=np.nan),
-                dict(UseFocalPoint=True, FocalPoint=(0, np.nan, 0))):
-    refuse(gr.make_projection(image, None, **options), "not a finite number")
+for options in (dict(up=(0, 0, 3)), dict(direction=(np.nan, 0, 1)), dict(focus=(0, np.nan, 0))):
+    wrong = gr.make_camera(**{"direction": (0, 0, -1), **options})
+    refuse(gr.make_projection(image, wrong), "do not define a view")
+refuse(gr.make_projection(image, gr.make_camera((0, 0, -1), scale=np.nan)))
 
 small = field[:6, :7, :8].astype(float)
 for spacing in ((0, 1, 1), (1, 1, 0), (np.nan, 1, 1), (1, np.inf, 1)):

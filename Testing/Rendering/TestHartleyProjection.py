@@ -8,7 +8,6 @@ import numpy as np
 
 import gatunHartley as gh
 import gatunRays as gr
-from gatun import vtkGatunHartleyView
 
 SIZE = (40, 33)
 
@@ -52,7 +51,7 @@ for number, (name, place) in enumerate(places.items()):
             note("sums " + str(options), abs(sums * step - exact) / exact.max())
             # In the exponential model, opacity does not depend on the blocks.
             rgba = gr.draw(image, camera, "RGBA", OpacityModel=1, Size=SIZE, Extinction=0.003, Zero=0,
-                           UseZero=True, **gr.LOSSLESS, **options)
+                           **gr.LOSSLESS, **options)
             note("opacity " + str(options), abs(rgba[..., 3] - (1 - np.exp(-0.003 * exact))))
 for key, (mean, largest) in worst.items():
     print("%-40s mean %.1e, largest %.1e" % (key, mean, largest))
@@ -120,8 +119,7 @@ gray = gr.make_property([], [(0, 0.4)], 4)
 gray.SetColor(half.GetScalarOpacity())
 bytes_ = gr.draw(box, camera, Property=gray, Size=(10, 10))
 assert abs(bytes_[..., :3].astype(int) - 102).max() <= 1
-over = gr.draw(box, camera, "RGBA", Property=half, Size=(10, 10), UseBackground=True,
-               Background=(0, 1, 0))
+over = gr.draw(box, camera, "RGBA", Property=half, Size=(10, 10), Background=(0, 1, 0))
 assert abs(over[..., 3] - 1).max() < 1e-6
 assert abs(over[..., 1] - (0.2 * expected + 1 - expected)).max() < 0.005
 
@@ -135,9 +133,8 @@ shown = gr.draw(plain, camera, "RGBA", OpacityModel=0, Size=SIZE)
 assert shown[..., 0].max() > 0.999
 
 # Without a camera all of the volume is seen, and pixels are square.
-for view in (dict(), dict(ViewDirection=(1, 2, -3), ViewUp=(0, 0, 1)), dict(Size=(160, 40)),
-             dict(Size=(40, 160))):
-    projection = gr.make_projection(plain, None, OpacityModel=0, **{"Size": (50, 50), **view})
+for size in (50, 50), (160, 40), (40, 160):
+    projection = gr.make_projection(plain, None, OpacityModel=0, Size=size)
     projection.Update()
     samples = gr.array_of(projection, "Samples")
     assert samples.max() > 0 and not samples[[0, -1]].any() and not samples[:, [0, -1]].any()
@@ -145,15 +142,21 @@ for view in (dict(), dict(ViewDirection=(1, 2, -3), ViewUp=(0, 0, 1)), dict(Size
     assert abs(spacing[0] - spacing[1]) < 1e-12 * spacing[0]
     total = samples.sum() * spacing[0] * spacing[1]
     assert abs(total - field.size) < 0.03 * field.size, (total, field.size)
-    zoomed = gr.draw(plain, None, "Samples", OpacityModel=0, Zoom=2, **{"Size": (50, 50), **view})
+    # That is the view of a camera along the z axis, which can be magnified.
+    camera = gr.make_camera((0, 0, -1))
+    assert projection.ResetCamera(camera)
+    same = gr.draw(plain, camera, "Samples", OpacityModel=0, Size=size)
+    assert abs(same - samples).max() < 1e-3 * samples.max()
+    camera.Zoom(2)
+    zoomed = gr.draw(plain, camera, "Samples", OpacityModel=0, Size=size)
     assert (zoomed > 0).sum() > 1.9 * (samples > 0).sum()
 
 # ResetCamera keeps the direction and shows all.
 camera = gr.make_camera((1, 1, 1), (0, 0, 1), (50, 60, 70), 0.1)
 camera.ParallelProjectionOff()
 projection = gr.make_projection(plain, None, OpacityModel=0, Size=(30, 60))
-assert vtkGatunHartleyView.ResetCamera(projection, camera)
-assert vtkGatunHartleyView.SetView(projection, camera)
+assert projection.ResetCamera(camera)
+projection.SetCamera(camera)
 projection.Update()
 assert np.allclose(camera.GetDirectionOfProjection(), np.ones(3) / 3 ** 0.5)
 assert camera.GetParallelProjection() and np.allclose(camera.GetFocalPoint(), plain.GetCenter())

@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkColorTransferFunction, vtkVolumeProperty
 
 import gatunMeshes as gm
-from gatun import vtkGatunHartleyEncoder, vtkGatunHartleyProjection, vtkGatunHartleyView
+from gatun import vtkGatunHartleyEncoder, vtkGatunHartleyProjection
 from gatunHartley import LOSSLESS
 
 
@@ -52,32 +52,22 @@ def connect(source, algorithm):
     return algorithm
 
 
-def set_all(algorithm, options):
-    for name, value in options.items():
-        value = value if isinstance(value, (tuple, list)) else (value,)
-        getattr(algorithm, "Set" + name)(*value)
-    return algorithm
-
-
 def make_encoder(source, **options):
-    return set_all(connect(source, vtkGatunHartleyEncoder()), options)
+    encoder = connect(source, vtkGatunHartleyEncoder())
+    gm.set_options(encoder, **options)
+    return encoder
 
 
 def make_projection(source, camera=None, **options):
-    """source: an image, or an algorithm. Options: of the projection, Property, or those of an encoder,
-    which is then put in between."""
+    """source: an image, or an algorithm. Options: of the projection, or those of an encoding, which an
+    encoder in between then has."""
     encoding = {name: value for name, value in options.items() if name in ENCODING}
-    drawing = {name: value for name, value in options.items()
-               if name not in ENCODING and name != "Property"}
+    drawing = {name: value for name, value in options.items() if name not in ENCODING}
     projection = vtkGatunHartleyProjection()
     projection.Encoder = make_encoder(source, **encoding) if encoding else None
     connect(projection.Encoder or source, projection)
     projection.OutputFloatsOn()
-    set_all(projection, drawing)
-    if "Property" in options:
-        vtkGatunHartleyView.SetProperty(projection, options["Property"])
-    if camera:
-        assert vtkGatunHartleyView.SetView(projection, camera)
+    gm.set_options(projection, Camera=camera, **drawing)
     return projection
 
 

@@ -3,12 +3,17 @@
 
 #include "vtkGatunPVProjection.h"
 
+#include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkInformation.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <limits>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
@@ -43,6 +48,55 @@ std::vector<Node> GetNodes(int map)
 vtkGatunPVProjection::vtkGatunPVProjection() = default;
 
 vtkGatunPVProjection::~vtkGatunPVProjection() = default;
+
+//------------------------------------------------------------------------------
+void vtkGatunPVProjection::SetUseZero(bool on)
+{
+  this->UseZero = on;
+  this->UpdateZero();
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunPVProjection::SetZeroValue(double value)
+{
+  this->ZeroValue = value;
+  this->UpdateZero();
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunPVProjection::UpdateZero()
+{
+  this->SetZero(this->UseZero ? this->ZeroValue : std::numeric_limits<double>::quiet_NaN());
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunPVProjection::SetUseBackground(bool on)
+{
+  this->UseBackground = on;
+  this->UpdateBackground();
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunPVProjection::SetBackgroundColor(double red, double green, double blue)
+{
+  this->BackgroundColor[0] = std::clamp(red, 0., 1.);
+  this->BackgroundColor[1] = std::clamp(green, 0., 1.);
+  this->BackgroundColor[2] = std::clamp(blue, 0., 1.);
+  this->UpdateBackground();
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunPVProjection::UpdateBackground()
+{
+  if (this->UseBackground)
+  {
+    this->SetBackground(this->BackgroundColor);
+  }
+  else
+  {
+    this->SetBackground(-1, -1, -1);
+  }
+}
 
 //------------------------------------------------------------------------------
 void vtkGatunPVProjection::SetNumberOfOpacityPoints(int number)
@@ -92,7 +146,24 @@ vtkInformation* vtkGatunPVProjection::GetCoefficientsInformation()
 }
 
 //------------------------------------------------------------------------------
-vtkGatunHartleyProjection::TransferFunction vtkGatunPVProjection::MakeTransferFunction(
+vtkSmartPointer<vtkCamera> vtkGatunPVProjection::MakeCamera(
+  const double center[3], double parallelScale)
+{
+  const double* const direction = this->ViewDirection;
+  // The superclass reports directions that do not define a view.
+  const double distance = 2 * parallelScale / vtkMath::Norm(direction);
+  auto camera = vtkSmartPointer<vtkCamera>::New();
+  camera->SetFocalPoint(center);
+  camera->SetPosition(center[0] - distance * direction[0], center[1] - distance * direction[1],
+    center[2] - distance * direction[2]);
+  camera->SetViewUp(this->ViewUp);
+  camera->SetParallelScale(parallelScale / this->Zoom);
+  camera->ParallelProjectionOn();
+  return camera;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkVolumeProperty> vtkGatunPVProjection::MakeProperty(
   const double range[2], double diagonal)
 {
   const bool isGiven = this->ValueRange[0] < this->ValueRange[1];
@@ -100,12 +171,12 @@ vtkGatunHartleyProjection::TransferFunction vtkGatunPVProjection::MakeTransferFu
   const double extent = isGiven ? this->ValueRange[1] - low
     : range[0] < range[1]       ? range[1] - range[0]
                                 : 1;
-  const auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
+  vtkNew<vtkColorTransferFunction> colors;
   for (const Node& node : GetNodes(this->ColorMap))
   {
     colors->AddRGBPoint(low + node[0] * extent, node[1], node[2], node[3]);
   }
-  const auto opacity = vtkSmartPointer<vtkPiecewiseFunction>::New();
+  vtkNew<vtkPiecewiseFunction> opacity;
   for (const auto& point : this->OpacityPoints)
   {
     opacity->AddPoint(low + point[0] * extent, std::clamp(point[1], 0., 1.));
@@ -115,13 +186,27 @@ vtkGatunHartleyProjection::TransferFunction vtkGatunPVProjection::MakeTransferFu
     opacity->AddPoint(low, 0);
     opacity->AddPoint(low + extent, 1);
   }
-  return { colors, opacity, this->OpacityUnit * diagonal / 100 };
+  auto property = vtkSmartPointer<vtkVolumeProperty>::New();
+  property->SetColor(colors);
+  property->SetScalarOpacity(opacity);
+  property->SetScalarOpacityUnitDistance(this->OpacityUnit * diagonal / 100);
+  return property;
 }
 
 //------------------------------------------------------------------------------
 void vtkGatunPVProjection::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "ViewDirection: " << this->ViewDirection[0] << " " << this->ViewDirection[1]
+     << " " << this->ViewDirection[2] << "\n";
+  os << indent << "ViewUp: " << this->ViewUp[0] << " " << this->ViewUp[1] << " " << this->ViewUp[2]
+     << "\n";
+  os << indent << "Zoom: " << this->Zoom << "\n";
+  os << indent << "UseZero: " << (this->UseZero ? "On" : "Off") << "\n";
+  os << indent << "ZeroValue: " << this->ZeroValue << "\n";
+  os << indent << "UseBackground: " << (this->UseBackground ? "On" : "Off") << "\n";
+  os << indent << "BackgroundColor: " << this->BackgroundColor[0] << " " << this->BackgroundColor[1]
+     << " " << this->BackgroundColor[2] << "\n";
   os << indent << "ColorMap: " << this->ColorMap << "\n";
   os << indent << "ValueRange: " << this->ValueRange[0] << " " << this->ValueRange[1] << "\n";
   os << indent << "OpacityUnit: " << this->OpacityUnit << "\n";

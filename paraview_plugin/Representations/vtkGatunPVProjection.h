@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkGatunPVProjection
- * @brief Renders volumes from Hartley coefficients in ParaView, with color maps for its panel.
+ * @brief Renders volumes from Hartley coefficients in ParaView, with plain properties for its
+ * panel.
  *
  * Differs from vtkGatunHartleyProjection in two ways. It finds the coefficients of its input
- * although ParaView puts a filter behind each source. And it has color maps and opacities of its
- * own, which replace ColorTransferFunction, ScalarOpacity and ScalarOpacityUnitDistance.
+ * although ParaView puts a filter behind each source. And it has a view, color maps and opacities
+ * of its own, which replace Camera and Property.
  *
  * @sa vtkGatunHartleyProjection vtkGatunHartleyEncoder vtkGatunHartleyReader
  */
@@ -29,6 +30,54 @@ public:
   static vtkGatunPVProjection* New();
   vtkTypeMacro(vtkGatunPVProjection, vtkGatunHartleyProjection);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Direction of the rays in world coordinates. Any length above 0. Default: 0, 0, -1.
+   */
+  vtkSetVector3Macro(ViewDirection, double);
+  vtkGetVector3Macro(ViewDirection, double);
+  ///@}
+
+  ///@{
+  /**
+   * A direction that points up in the image. Not collinear with ViewDirection. Default: 0, 1, 0.
+   */
+  vtkSetVector3Macro(ViewUp, double);
+  vtkGetVector3Macro(ViewUp, double);
+  ///@}
+
+  ///@{
+  /**
+   * Magnification, 1e-6 to 1e6. With 1, the image shows all of the volume. Default: 1.
+   */
+  vtkSetClampMacro(Zoom, double, 1e-6, 1e6);
+  vtkGetMacro(Zoom, double);
+  ///@}
+
+  ///@{
+  /**
+   * Zero of vtkGatunHartleyProjection: a value, or the smallest value of the volume if UseZero is
+   * off. Defaults: 0 and off.
+   */
+  void SetUseZero(bool on);
+  vtkGetMacro(UseZero, bool);
+  vtkBooleanMacro(UseZero, bool);
+  void SetZeroValue(double value);
+  vtkGetMacro(ZeroValue, double);
+  ///@}
+
+  ///@{
+  /**
+   * Background of vtkGatunHartleyProjection: red, green and blue, 0 to 1 each, or none if
+   * UseBackground is off. Defaults: 0, 0, 0 and off.
+   */
+  void SetUseBackground(bool on);
+  vtkGetMacro(UseBackground, bool);
+  vtkBooleanMacro(UseBackground, bool);
+  void SetBackgroundColor(double red, double green, double blue);
+  vtkGetVector3Macro(BackgroundColor, double);
+  ///@}
 
   enum ColorMapType
   {
@@ -79,7 +128,16 @@ protected:
   ~vtkGatunPVProjection() override;
 
   vtkInformation* GetCoefficientsInformation() override;
-  TransferFunction MakeTransferFunction(const double range[2], double diagonal) override;
+  vtkSmartPointer<vtkCamera> MakeCamera(const double center[3], double parallelScale) override;
+  vtkSmartPointer<vtkVolumeProperty> MakeProperty(const double range[2], double diagonal) override;
+
+  double ViewDirection[3] = { 0, 0, -1 };
+  double ViewUp[3] = { 0, 1, 0 };
+  double Zoom = 1;
+  bool UseZero = false;
+  double ZeroValue = 0;
+  bool UseBackground = false;
+  double BackgroundColor[3] = { 0, 0, 0 };
 
   int ColorMap = MAP_BONE;
   double ValueRange[2] = { 0, 0 };
@@ -89,6 +147,9 @@ protected:
 private:
   vtkGatunPVProjection(const vtkGatunPVProjection&) = delete;
   void operator=(const vtkGatunPVProjection&) = delete;
+
+  void UpdateZero();
+  void UpdateBackground();
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -17,7 +17,7 @@
  * the array; the default is the active point scalars.
  *
  * Output: a vtkImageData of Size. Point (0, 0) is at the lower left. Origin and spacing are in
- * world units, relative to the focal point. Point arrays:
+ * world units, relative to the middle of the image. Point arrays:
  *
  *  - Color (unsigned char, 4 components, active scalars): red, green, blue and opacity, not
  *    premultiplied;
@@ -55,25 +55,27 @@
  * @warning The projection is parallel. The projection-slice theorem does not apply to perspective
  * projections.
  *
- * @sa vtkGatunHartleyEncoder vtkGatunHartleyReader vtkGatunHartleyView
+ * @sa vtkGatunHartleyEncoder vtkGatunHartleyReader vtkGatunHartleyMapper
  */
 
 #ifndef vtkGatunHartleyProjection_h
 #define vtkGatunHartleyProjection_h
 
-#include "vtkGatunFiltersModule.h" // For export macro
+#include "vtkGatunRenderingModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
-#include "vtkSmartPointer.h" // For TransferFunction
+#include "vtkSmartPointer.h" // For MakeCamera
 
+#include <limits> // For std::numeric_limits
 #include <memory> // For std::unique_ptr
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
-class vtkPiecewiseFunction;
-class vtkScalarsToColors;
+class vtkCamera;
+class vtkTable;
+class vtkVolumeProperty;
 
-class VTKGATUNFILTERS_EXPORT vtkGatunHartleyProjection : public vtkImageAlgorithm
+class VTKGATUNRENDERING_EXPORT vtkGatunHartleyProjection : public vtkImageAlgorithm
 {
 public:
   static vtkGatunHartleyProjection* New();
@@ -82,55 +84,21 @@ public:
 
   ///@{
   /**
-   * Direction of the rays in world coordinates. Any length above 0. Default: 0, 0, -1.
+   * The camera, with a parallel projection. If it is in stereo, its current eye is used. The
+   * clipping range is not used. A camera with a perspective projection, or one that is sheared or
+   * scaled unevenly, is an error. Null: the image shows all of the volume, seen along the z axis
+   * from above, with y upwards. Default: null.
    */
-  vtkSetVector3Macro(ViewDirection, double);
-  vtkGetVector3Macro(ViewDirection, double);
+  void SetCamera(vtkCamera* camera);
+  vtkCamera* GetCamera();
   ///@}
 
-  ///@{
   /**
-   * A direction that points up in the image. Not collinear with ViewDirection. Default: 0, 1, 0.
+   * Moves a camera without turning it, so that its image shows all of the volume, and turns
+   * parallel projection on. Updates the information of the input. Returns false, and leaves the
+   * camera unchanged, if there is no volume.
    */
-  vtkSetVector3Macro(ViewUp, double);
-  vtkGetVector3Macro(ViewUp, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether FocalPoint is in the middle of the image. Otherwise the center of the volume is.
-   * Default: off.
-   */
-  vtkSetMacro(UseFocalPoint, bool);
-  vtkGetMacro(UseFocalPoint, bool);
-  vtkBooleanMacro(UseFocalPoint, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The point in the middle of the image, in world coordinates, if UseFocalPoint is on. Default: 0,
-   * 0, 0.
-   */
-  vtkSetVector3Macro(FocalPoint, double);
-  vtkGetVector3Macro(FocalPoint, double);
-  ///@}
-
-  ///@{
-  /**
-   * Half the height of the image in world units, as vtkCamera has it. 0: the image shows all of the
-   * volume (FittingParallelScale). Not negative. Default: 0.
-   */
-  vtkSetClampMacro(ParallelScale, double, 0, VTK_DOUBLE_MAX);
-  vtkGetMacro(ParallelScale, double);
-  ///@}
-
-  ///@{
-  /**
-   * Magnification: divides the parallel scale. 1e-6 to 1e6. Default: 1.
-   */
-  vtkSetClampMacro(Zoom, double, 1e-6, 1e6);
-  vtkGetMacro(Zoom, double);
-  ///@}
+  bool ResetCamera(vtkCamera* camera);
 
   ///@{
   /**
@@ -167,29 +135,13 @@ public:
 
   ///@{
   /**
-   * Colors of values. Null: gray, from black at the smallest value of the volume to white at the
-   * largest. Default: null.
+   * Colors and opacities of values: the color function (of one or three channels), the scalar
+   * opacity and its unit distance, which must be above 0. Null: gray levels from black to white,
+   * and opacities from 0 to 1 for a ray of a thirtieth of the volume's diagonal, from the smallest
+   * value of the volume to the largest. Default: null.
    */
-  void SetColorTransferFunction(vtkScalarsToColors* colors);
-  vtkScalarsToColors* GetColorTransferFunction();
-  ///@}
-
-  ///@{
-  /**
-   * Opacities of values for a ray of the length ScalarOpacityUnitDistance. Null: from 0 at the
-   * smallest value of the volume to 1 at the largest. Default: null.
-   */
-  void SetScalarOpacity(vtkPiecewiseFunction* opacity);
-  vtkPiecewiseFunction* GetScalarOpacity();
-  ///@}
-
-  ///@{
-  /**
-   * The length that ScalarOpacity refers to, in world units. 0: a thirtieth of the volume's
-   * diagonal. Not negative. Default: 0.
-   */
-  vtkSetClampMacro(ScalarOpacityUnitDistance, double, 0, VTK_DOUBLE_MAX);
-  vtkGetMacro(ScalarOpacityUnitDistance, double);
+  void SetProperty(vtkVolumeProperty* property);
+  vtkVolumeProperty* GetProperty();
   ///@}
 
   ///@{
@@ -204,20 +156,10 @@ public:
 
   ///@{
   /**
-   * Whether OPACITY_MODEL_EXPONENTIAL measures values from Zero. Otherwise it measures them from
-   * the smallest value of the volume. Default: off.
+   * With OPACITY_MODEL_EXPONENTIAL, the value that is transparent. A block whose mean value along a
+   * ray is lower is transparent, too. NaN: the smallest value of the volume. Default: NaN.
    */
-  vtkSetMacro(UseZero, bool);
-  vtkGetMacro(UseZero, bool);
-  vtkBooleanMacro(UseZero, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The value that is transparent, if UseZero is on. A block whose mean value along a ray is lower
-   * is transparent, too. Default: 0.
-   */
-  vtkSetMacro(Zero, double);
+  void SetZero(double value);
   vtkGetMacro(Zero, double);
   ///@}
 
@@ -232,16 +174,8 @@ public:
 
   ///@{
   /**
-   * Whether to composite the volume over Background; the image is then opaque. Default: off.
-   */
-  vtkSetMacro(UseBackground, bool);
-  vtkGetMacro(UseBackground, bool);
-  vtkBooleanMacro(UseBackground, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Red, green and blue, 0 to 1 each. Default: 0, 0, 0.
+   * Color over which the volume is composited, so that the image is opaque: red, green and blue, 0
+   * to 1 each. If one of them is negative, there is no background. Default: -1, -1, -1.
    */
   void SetBackground(double red, double green, double blue);
   void SetBackground(const double color[3]) { this->SetBackground(color[0], color[1], color[2]); }
@@ -300,29 +234,17 @@ public:
   vtkGetMacro(MemoryBudget, int);
   ///@}
 
-  ///@{
   /**
-   * The center of the volume, and the ParallelScale for which an image of Size shows all of it.
-   * After UpdateInformation; zeros if the volume is not known.
+   * Statistics in the columns of a table of one row:
+   *
+   *  - DrawnBlocks: blocks drawn in the last image
+   *  - Coefficients: coefficients summed for the last image
+   *  - Method: method of the last image, see MethodType
+   *  - Volumes: number of different volumes that this object has drawn
+   *
+   * The next call returns another table.
    */
-  vtkGetVector3Macro(VolumeCenter, double);
-  vtkGetMacro(FittingParallelScale, double);
-  ///@}
-
-  ///@{
-  /**
-   * Statistics of the last image: blocks that were drawn, coefficients that were summed, and the
-   * method (see MethodType).
-   */
-  vtkIdType GetNumberOfBlocksDrawn();
-  vtkTypeUInt64 GetNumberOfCoefficients();
-  int GetMethodUsed();
-  ///@}
-
-  /**
-   * Number of different volumes that this object has drawn.
-   */
-  vtkGetMacro(NumberOfVolumes, vtkTypeUInt64);
+  vtkTable* GetStatistics();
 
   /**
    * Smallest and largest value, before compression, of the volume that was drawn last.
@@ -330,7 +252,7 @@ public:
   void GetRange(double range[2]) VTK_SIZEHINT(2);
 
   /**
-   * Includes the transfer functions.
+   * Includes the camera and the property.
    */
   vtkMTimeType GetMTime() override;
 
@@ -344,20 +266,16 @@ protected:
   virtual vtkInformation* GetCoefficientsInformation();
 
   /**
-   * Transfer functions of an image. A null pointer stands for a linear ramp.
+   * Returns the camera for a volume with a given center, of which a camera with a given
+   * ParallelScale shows all. Default: the camera that was set.
    */
-  struct TransferFunction
-  {
-    vtkSmartPointer<vtkScalarsToColors> Colors;
-    vtkSmartPointer<vtkPiecewiseFunction> Opacity;
-    double UnitDistance = 1;
-  };
+  virtual vtkSmartPointer<vtkCamera> MakeCamera(const double center[3], double parallelScale);
 
   /**
-   * Returns the transfer functions for a volume of a given range and diagonal, the latter in world
-   * units. Default: the functions that were set.
+   * Returns the property for a volume of a given range and diagonal, the latter in world units.
+   * Default: the property that was set.
    */
-  virtual TransferFunction MakeTransferFunction(const double range[2], double diagonal);
+  virtual vtkSmartPointer<vtkVolumeProperty> MakeProperty(const double range[2], double diagonal);
 
   vtkExecutive* CreateDefaultExecutive() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
@@ -368,28 +286,16 @@ protected:
   int RequestData(
     vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
-  double ViewDirection[3] = { 0, 0, -1 };
-  double ViewUp[3] = { 0, 1, 0 };
-  bool UseFocalPoint = false;
-  double FocalPoint[3] = { 0, 0, 0 };
-  double ParallelScale = 0;
-  double Zoom = 1;
   int Size[2] = { 512, 512 };
   int OpacityModel = OPACITY_MODEL_TRANSFER_FUNCTION;
-  double ScalarOpacityUnitDistance = 0;
   double Extinction = 0;
-  bool UseZero = false;
-  double Zero = 0;
+  double Zero = std::numeric_limits<double>::quiet_NaN();
   double Window[2] = { 0, 0 };
-  bool UseBackground = false;
-  double Background[3] = { 0, 0, 0 };
+  double Background[3] = { -1, -1, -1 };
   bool OutputFloats = false;
   double SampleDistance = 0;
   int Method = METHOD_AUTOMATIC;
   int MemoryBudget = 512;
-  double VolumeCenter[3] = { 0, 0, 0 };
-  double FittingParallelScale = 0;
-  vtkTypeUInt64 NumberOfVolumes = 0;
 
 private:
   vtkGatunHartleyProjection(const vtkGatunHartleyProjection&) = delete;

@@ -5,6 +5,7 @@
 
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
+#include "gatunHartleyCamera.h"
 #include "gatunHartleyFrame.h"
 #include "gatunHartleyOutput.h"
 #include "gatunHartleyProjector.h"
@@ -12,9 +13,11 @@
 #include "gatunImageEncoder.h"
 #include "gatunImagePipeline.h"
 #include "gatunReport.h"
+#include "gatunStatistics.h"
 #include "vtkGatunCompat.h"
 #include "vtkGatunHartleyCoefficients.h"
 
+#include "vtkCamera.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
@@ -23,9 +26,8 @@
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkPiecewiseFunction.h"
-#include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <array>
@@ -49,9 +51,9 @@ constexpr int MostPixels = 32000;
 // The encoder's share of the progress.
 constexpr double PartOfEncoder = 0.7;
 
-// Defaults of ScalarOpacityUnitDistance and of the reciprocal of Extinction, in parts of the
-// diagonal.
-constexpr double UnitsPerDiagonal = 30;
+// The default unit distance of opacities and the reciprocal of the default of Extinction, in parts
+// of the diagonal.
+constexpr double RampsPerDiagonal = 30;
 constexpr double DepthsPerDiagonal = 10;
 
 //------------------------------------------------------------------------------
@@ -121,8 +123,8 @@ vtkStandardNewMacro(vtkGatunHartleyProjection::vtkPipeline);
 class vtkGatunHartleyProjection::vtkInternals
 {
 public:
-  vtkSmartPointer<vtkScalarsToColors> Colors;
-  vtkSmartPointer<vtkPiecewiseFunction> Opacity;
+  vtkSmartPointer<vtkCamera> Camera;
+  vtkSmartPointer<vtkVolumeProperty> Property;
 
   // The volume that is drawn, and the encoder of inputs that come without coefficients.
   std::shared_ptr<const gatun::HartleySource> Source;
@@ -132,6 +134,8 @@ public:
   std::unique_ptr<gatun::HartleyProjector> Projector;
   gatun::HartleyOptions Options;
   gatun::HartleyImage Image; ///< the last one, without its pixels
+  std::uint64_t Volumes = 0; ///< that were drawn
+  gatun::Statistics Statistics;
 
   void Forget()
   {
@@ -141,24 +145,23 @@ public:
     this->Image = {};
   }
 
-  /** Draws another volume from now on. Returns whether it is another one. */
-  bool Use(
+  /** Draws a volume from now on. */
+  void Use(
     const std::shared_ptr<const gatun::HartleySource>& source, const gatun::VolumeInput& volume)
   {
-    if (source == this->Source)
+    if (source != this->Source)
     {
-      return false;
+      this->Projector.reset();
+      this->Source = source;
+      this->Volume = volume;
+      ++this->Volumes;
     }
-    this->Projector.reset();
-    this->Source = source;
-    this->Volume = volume;
-    return true;
   }
 
   static vtkGatunHartleyCoefficients* FindCoefficients(vtkGatunHartleyProjection* self);
   void MakeProjector(const vtkGatunHartleyProjection* self);
   static gatun::HartleyFrame MakeFrame(
-    const vtkGatunHartleyProjection* self, const gatun::VolumePlace& place);
+    vtkGatunHartleyProjection* self, const gatun::VolumePlace& place);
   gatun::HartleyShading MakeShading(
     vtkGatunHartleyProjection* self, const gatun::VolumePlace& place) const;
   static std::array<int, 6> GetPart(const vtkGatunHartleyProjection* self, vtkInformation* outInfo);
@@ -200,20 +203,20 @@ void vtkGatunHartleyProjection::vtkInternals::MakeProjector(const vtkGatunHartle
 
 //------------------------------------------------------------------------------
 gatun::HartleyFrame vtkGatunHartleyProjection::vtkInternals::MakeFrame(
-  const vtkGatunHartleyProjection* self, const gatun::VolumePlace& place)
+  vtkGatunHartleyProjection* self, const gatun::VolumePlace& place)
 {
-  if (!std::isfinite(self->SampleDistance) || !std::isfinite(self->Zoom))
+  if (!std::isfinite(self->SampleDistance))
   {
-    gatun::ThrowInvalid("the sample distance or the zoom is not a finite number");
+    gatun::ThrowInvalid("the sample distance is not a finite number");
   }
-  const double aspect = static_cast<double>(self->Size[0]) / self->Size[1];
   gatun::HartleyEye eye;
-  eye.Direction = ToArray(self->ViewDirection);
-  eye.Up = ToArray(self->ViewUp);
-  eye.Focus = self->UseFocalPoint ? ToArray(self->FocalPoint) : place.GetCenter();
+  eye.Focus = place.GetCenter();
   eye.ParallelScale =
-    (self->ParallelScale == 0 ? gatun::GetFittingScale(place, aspect) : self->ParallelScale) /
-    self->Zoom;
+    gatun::GetFittingScale(place, static_cast<double>(self->Size[0]) / self->Size[1]);
+  if (const auto camera = self->MakeCamera(eye.Focus.data(), eye.ParallelScale))
+  {
+    eye = gatun::MakeHartleyEye(camera, self->Size[0], self->Size[1]);
+  }
   return gatun::MakeHartleyFrame(eye, { self->Size[0], self->Size[1] }, place,
     self->SampleDistance > 0 ? self->SampleDistance : place.GetVoxelEdge());
 }
@@ -226,7 +229,7 @@ gatun::HartleyShading vtkGatunHartleyProjection::vtkInternals::MakeShading(
   const double distance = self->SampleDistance > 0 ? self->SampleDistance : place.GetVoxelEdge();
   gatun::HartleyShading shading;
   shading.OpacityModel = static_cast<gatun::HartleyOpacityModel>(self->OpacityModel);
-  shading.Zero = self->UseZero ? self->Zero : range.Min;
+  shading.Zero = std::isnan(self->Zero) ? range.Min : self->Zero;
   double extinction = self->Extinction;
   if (extinction == 0)
   {
@@ -241,13 +244,9 @@ gatun::HartleyShading vtkGatunHartleyProjection::vtkInternals::MakeShading(
     gatun::ThrowInvalid("Extinction, Zero or Window is not a finite number");
   }
   const double bounds[2] = { range.Min, range.Max };
-  const TransferFunction functions = self->MakeTransferFunction(bounds, place.GetDiagonal());
-  if (!(functions.UnitDistance > 0) || !std::isfinite(functions.UnitDistance))
-  {
-    gatun::ThrowInvalid("the unit distance of the opacity is not a positive number");
-  }
+  const auto property = self->MakeProperty(bounds, place.GetDiagonal());
   gatun::FillHartleyTable(
-    { functions.Colors, functions.Opacity, functions.UnitDistance }, range, distance, shading);
+    property, place.GetDiagonal() / RampsPerDiagonal, range, distance, shading);
   return shading;
 }
 
@@ -291,8 +290,8 @@ void vtkGatunHartleyProjection::SetSize(int width, int height)
 //------------------------------------------------------------------------------
 void vtkGatunHartleyProjection::SetBackground(double red, double green, double blue)
 {
-  const double clamped[3] = { std::clamp(red, 0., 1.), std::clamp(green, 0., 1.),
-    std::clamp(blue, 0., 1.) };
+  const double clamped[3] = { std::clamp(red, -1., 1.), std::clamp(green, -1., 1.),
+    std::clamp(blue, -1., 1.) };
   if (!std::equal(clamped, clamped + 3, this->Background))
   {
     std::copy_n(clamped, 3, this->Background);
@@ -301,53 +300,93 @@ void vtkGatunHartleyProjection::SetBackground(double red, double green, double b
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunHartleyProjection::SetColorTransferFunction(vtkScalarsToColors* colors)
+void vtkGatunHartleyProjection::SetZero(double value)
 {
-  if (colors != this->Internals->Colors)
+  if (value != this->Zero && !(std::isnan(value) && std::isnan(this->Zero)))
   {
-    this->Internals->Colors = colors;
+    this->Zero = value;
     this->Modified();
   }
 }
 
 //------------------------------------------------------------------------------
-vtkScalarsToColors* vtkGatunHartleyProjection::GetColorTransferFunction()
+void vtkGatunHartleyProjection::SetCamera(vtkCamera* camera)
 {
-  return this->Internals->Colors;
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunHartleyProjection::SetScalarOpacity(vtkPiecewiseFunction* opacity)
-{
-  if (opacity != this->Internals->Opacity)
+  if (camera != this->Internals->Camera)
   {
-    this->Internals->Opacity = opacity;
+    this->Internals->Camera = camera;
     this->Modified();
   }
 }
 
 //------------------------------------------------------------------------------
-vtkPiecewiseFunction* vtkGatunHartleyProjection::GetScalarOpacity()
+vtkCamera* vtkGatunHartleyProjection::GetCamera()
 {
-  return this->Internals->Opacity;
+  return this->Internals->Camera;
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkGatunHartleyProjection::GetNumberOfBlocksDrawn()
+void vtkGatunHartleyProjection::SetProperty(vtkVolumeProperty* property)
 {
-  return static_cast<vtkIdType>(this->Internals->Image.Blocks);
+  if (property != this->Internals->Property)
+  {
+    this->Internals->Property = property;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
-vtkTypeUInt64 vtkGatunHartleyProjection::GetNumberOfCoefficients()
+vtkVolumeProperty* vtkGatunHartleyProjection::GetProperty()
 {
-  return this->Internals->Image.Terms;
+  return this->Internals->Property;
 }
 
 //------------------------------------------------------------------------------
-int vtkGatunHartleyProjection::GetMethodUsed()
+bool vtkGatunHartleyProjection::ResetCamera(vtkCamera* camera)
 {
-  return static_cast<int>(this->Internals->Image.Method);
+  if (!camera || this->GetNumberOfInputConnections(0) < 1)
+  {
+    return false;
+  }
+  try
+  {
+    this->GetInputAlgorithm(0, 0)->UpdateInformation();
+    const auto volume = DescribeInput(this->GetInputInformation(0, 0));
+    if (!volume)
+    {
+      return false;
+    }
+    const gatun::VolumePlace place(*volume);
+    const double aspect = static_cast<double>(this->Size[0]) / this->Size[1];
+    const double scale = gatun::GetFittingScale(place, aspect);
+    const auto& center = place.GetCenter();
+    const double* const direction = camera->GetDirectionOfProjection();
+    const double distance = 2 * scale;
+    camera->SetPosition(center[0] - distance * direction[0], center[1] - distance * direction[1],
+      center[2] - distance * direction[2]);
+    camera->SetFocalPoint(center.data());
+    camera->SetParallelScale(scale);
+    camera->SetClippingRange(scale, 3 * scale);
+    camera->ParallelProjectionOn();
+    return true;
+  }
+  catch (...)
+  {
+    return false; // an image of such a volume reports the error
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkGatunHartleyProjection::GetStatistics()
+{
+  const auto& self = *this->Internals;
+  gatun::Statistics& table = this->Internals->Statistics;
+  table.Clear();
+  table.Add("DrawnBlocks", self.Image.Blocks);
+  table.Add("Coefficients", self.Image.Terms);
+  table.Add("Method", static_cast<std::uint64_t>(self.Image.Method));
+  table.Add("Volumes", self.Volumes);
+  return table.Get();
 }
 
 //------------------------------------------------------------------------------
@@ -362,13 +401,13 @@ void vtkGatunHartleyProjection::GetRange(double range[2])
 vtkMTimeType vtkGatunHartleyProjection::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
-  if (this->Internals->Colors)
+  if (this->Internals->Camera)
   {
-    time = std::max(time, this->Internals->Colors->GetMTime());
+    time = std::max(time, this->Internals->Camera->GetMTime());
   }
-  if (this->Internals->Opacity)
+  if (this->Internals->Property)
   {
-    time = std::max(time, this->Internals->Opacity->GetMTime());
+    time = std::max(time, this->Internals->Property->GetMTime());
   }
   return time;
 }
@@ -380,12 +419,15 @@ vtkInformation* vtkGatunHartleyProjection::GetCoefficientsInformation()
 }
 
 //------------------------------------------------------------------------------
-vtkGatunHartleyProjection::TransferFunction vtkGatunHartleyProjection::MakeTransferFunction(
-  const double*, double diagonal)
+vtkSmartPointer<vtkCamera> vtkGatunHartleyProjection::MakeCamera(const double*, double)
 {
-  return { this->Internals->Colors, this->Internals->Opacity,
-    this->ScalarOpacityUnitDistance == 0 ? diagonal / UnitsPerDiagonal
-                                         : this->ScalarOpacityUnitDistance };
+  return this->Internals->Camera;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkVolumeProperty> vtkGatunHartleyProjection::MakeProperty(const double*, double)
+{
+  return this->Internals->Property;
 }
 
 //------------------------------------------------------------------------------
@@ -410,16 +452,11 @@ int vtkGatunHartleyProjection::RequestInformation(
   double spacing[3] = { 1, 1, 1 };
   double origin[3] = { 0, 0, 0 };
   const double direction[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
-  std::fill_n(this->VolumeCenter, 3, 0.);
-  this->FittingParallelScale = 0;
   try
   {
     if (const auto volume = DescribeInput(inputs[0]->GetInformationObject(0)))
     {
       const gatun::VolumePlace place(*volume);
-      std::copy_n(place.GetCenter().begin(), 3, this->VolumeCenter);
-      this->FittingParallelScale =
-        gatun::GetFittingScale(place, static_cast<double>(this->Size[0]) / this->Size[1]);
       const auto frame = vtkInternals::MakeFrame(this, place);
       std::fill_n(spacing, 2, frame.Spacing);
       std::copy_n(frame.First.begin(), 2, origin);
@@ -484,14 +521,14 @@ int vtkGatunHartleyProjection::RequestData(
     if (vtkGatunHartleyCoefficients* const coefficients = vtkInternals::FindCoefficients(this))
     {
       self.Encoder.Clear();
-      this->NumberOfVolumes += self.Use(coefficients->GetSource(), coefficients->GetVolume());
+      self.Use(coefficients->GetSource(), coefficients->GetVolume());
     }
     else
     {
       const bool isNew = self.Encoder.Encode(vtkImageData::GetData(inputs[0], 0),
         this->GetInputArrayInformation(0), {}, report(0, PartOfEncoder));
       first = isNew ? PartOfEncoder : 0;
-      this->NumberOfVolumes += self.Use(self.Encoder.GetCoefficients(), self.Encoder.GetVolume());
+      self.Use(self.Encoder.GetCoefficients(), self.Encoder.GetVolume());
     }
     const gatun::VolumePlace place(self.Volume);
     const gatun::HartleyFrame frame = vtkInternals::MakeFrame(this, place);
@@ -500,7 +537,8 @@ int vtkGatunHartleyProjection::RequestData(
     self.Image = self.Projector->Draw(frame.View, shading, report(first, 1));
     gatun::ImageOutput options;
     options.Floats = this->OutputFloats;
-    if (this->UseBackground)
+    const double* const background = this->Background;
+    if (background[0] >= 0 && background[1] >= 0 && background[2] >= 0)
     {
       options.Background = ToArray(this->Background);
     }
@@ -544,30 +582,18 @@ void vtkGatunHartleyProjection::PrintSelf(ostream& os, vtkIndent indent)
     }
     os << "\n";
   };
-  printVector("ViewDirection", this->ViewDirection);
-  printVector("ViewUp", this->ViewUp);
-  print("UseFocalPoint", onOff(this->UseFocalPoint));
-  printVector("FocalPoint", this->FocalPoint);
-  print("ParallelScale", this->ParallelScale);
-  print("Zoom", this->Zoom);
   printVector("Size", this->Size);
   print("OpacityModel", models[this->OpacityModel]);
-  print("ColorTransferFunction", this->Internals->Colors.Get());
-  print("ScalarOpacity", this->Internals->Opacity.Get());
-  print("ScalarOpacityUnitDistance", this->ScalarOpacityUnitDistance);
+  print("Camera", this->Internals->Camera.Get());
+  print("Property", this->Internals->Property.Get());
   print("Extinction", this->Extinction);
-  print("UseZero", onOff(this->UseZero));
   print("Zero", this->Zero);
   printVector("Window", this->Window);
-  print("UseBackground", onOff(this->UseBackground));
   printVector("Background", this->Background);
   print("OutputFloats", onOff(this->OutputFloats));
   print("SampleDistance", this->SampleDistance);
   print("Method", methods[this->Method]);
   print("MemoryBudget", this->MemoryBudget);
-  printVector("VolumeCenter", this->VolumeCenter);
-  print("FittingParallelScale", this->FittingParallelScale);
-  print("NumberOfVolumes", this->NumberOfVolumes);
 }
 #ifdef VTK_ABI_NAMESPACE_END
 VTK_ABI_NAMESPACE_END
