@@ -66,7 +66,7 @@ def options_of(*command):
 
 
 options = set().union(*(options_of(*command.split()) for command in (
-    "pack", "unpack", "render", "simplify", "contour", "mesh", "volume pack", "volume render")))
+    "pack", "unpack", "render", "simplify", "contour", "mesh", "volume pack", "volume render", "info")))
 parameters = {}
 for function in gatun.read, gatun.write, gatun.render:
     parameters.update(inspect.signature(function).parameters)
@@ -85,7 +85,7 @@ def check_default(where, thing, name, text):
     found = found or None if wanted is None else found
     if isinstance(wanted, tuple) and isinstance(found, (tuple, list)):
         found = tuple(found)
-    if found != wanted and not (isinstance(found, float) and abs(found - wanted) < 1e-6):
+    if found != wanted and (found == found or wanted == wanted):  # NaN
         problems.append(f"{where}: the default is {found}, not {text}")
 
 
