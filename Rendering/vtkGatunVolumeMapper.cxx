@@ -4,9 +4,7 @@
 #include "vtkGatunVolumeMapper.h"
 
 #include "gatunErrorCodes.h"
-#include "gatunFileConsumer.h"
-#include "gatunFileReader.h"
-#include "gatunPublishedFile.h"
+#include "gatunProcessExchange.h"
 #include "vtkGatunVolumeMapperInternals.h"
 
 #include "vtkDataSet.h"
@@ -81,7 +79,8 @@ void vtkGatunVolumeMapper::ReduceBounds()
   {
     std::array<double, 6> own{};
     std::copy_n(this->GetBounds(), own.size(), own.begin());
-    this->Internals->ReduceBounds(this, own);
+    gatun::ProcessExchange exchange(this->Controller);
+    this->Internals->WholeBounds = gatun::JoinBounds(exchange.Gather(own));
   }
   catch (...)
   {
@@ -94,10 +93,10 @@ vtkTable* vtkGatunVolumeMapper::GetStatistics()
 {
   auto& self = *this->Internals;
   self.Statistics.Clear();
-  self.Statistics.Add("BytesRead", self.Scene.GetBytesRead());
+  self.Statistics.Add("BytesRead", self.Input.GetScene().GetBytesRead());
   self.Statistics.Add("BytesSent", self.BytesSent);
   self.Statistics.Add("DrawnPoints", self.Points);
-  self.Statistics.Add("RedrawnFraction", self.PartDrawn);
+  self.Statistics.Add("RedrawnFraction", self.Image.GetRedrawnFraction());
   return self.Statistics.Get();
 }
 
@@ -147,12 +146,14 @@ bool vtkGatunVolumeMapper::PrepareSimplification()
       this->UpdateProgress(fraction);
       return this->GetAbortExecute() == 0;
     };
-    if (!this->Internals->Simplifies(this) || !this->Internals->SetScene(this, progress) ||
-      !this->Internals->Scene.GetLevels())
+    auto& self = *this->Internals;
+    gatun::LevelOfDetailCache* const levels = self.Simplifies(this) && self.SetScene(this, progress)
+      ? self.Input.GetScene().GetLevels()
+      : nullptr;
+    if (!levels)
     {
       return false;
     }
-    auto* const levels = this->Internals->Scene.GetLevels();
     levels->WaitForLevels(progress);
     levels->Wait();
     this->UpdateProgress(1);
@@ -178,8 +179,9 @@ void vtkGatunVolumeMapper::Fail() noexcept
       return;
     }
     auto& self = *this->Internals;
-    self.Scene.Clear();
-    if (self.Reported.insert(self.GetCause(this, failure)).second)
+    self.Input.GetScene().Clear();
+    const auto input = vtkInternals::GetConnection(this);
+    if (self.Reported.insert(self.Input.GetCause(input, failure)).second)
     {
       vtkErrorMacro(<< failure.Message);
     }
@@ -203,22 +205,19 @@ double* vtkGatunVolumeMapper::GetBounds()
   }
   try
   {
-    switch (self.GetKind(this))
+    const gatun::MapperConnection input = vtkInternals::GetConnection(this);
+    switch (self.Input.GetKind(input))
     {
       case InputKind::None:
         break;
       case InputKind::Grid:
         return this->Superclass::GetBounds();
       case InputKind::File:
-      {
-        const gatun::FileReader& file = *self.GetFile(this).File->GetFile();
-        const auto step = gatun::GetRequestedStep(file, this->GetInputInformation());
-        ToArray(file.GetBounds(step), this->Bounds);
-      }
-      break;
+        ToArray(self.Input.GetFileBounds(input), this->Bounds);
+        break;
       case InputKind::Pieces:
         self.SetScene(this, {});
-        ToArray(self.Scene.GetPieceBounds(), this->Bounds);
+        ToArray(self.Input.GetScene().GetPieceBounds(), this->Bounds);
         break;
     }
   }
@@ -232,8 +231,10 @@ double* vtkGatunVolumeMapper::GetBounds()
 //------------------------------------------------------------------------------
 vtkDataSet* vtkGatunVolumeMapper::GetDataSetInput()
 {
-  return this->Internals->GetKind(this) == InputKind::Grid ? this->Superclass::GetDataSetInput()
-                                                           : nullptr;
+  const auto input = vtkInternals::GetConnection(this);
+  return this->Internals->Input.GetKind(input) == InputKind::Grid
+    ? this->Superclass::GetDataSetInput()
+    : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -253,7 +254,7 @@ vtkTypeBool vtkGatunVolumeMapper::Update(int, vtkInformationVector*)
 {
   try
   {
-    this->Internals->Pull(this);
+    this->Internals->Input.Pull(vtkInternals::GetConnection(this));
     return 1;
   }
   catch (...)
@@ -282,7 +283,7 @@ void vtkGatunVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   this->SetErrorCode(vtkErrorCode::NoError);
   try
   {
-    this->Internals->DrawFrame(this, renderer, volume);
+    this->Internals->Draw(this, renderer, volume);
     this->Internals->Reported.clear();
   }
   catch (...)

@@ -4,113 +4,38 @@
 #include "vtkGatunVolumeMapperInternals.h"
 
 #include "gatunError.h"
-#include "gatunFileConsumer.h"
-#include "gatunFileReader.h"
-#include "gatunFrameClock.h"
+#include "gatunPublishedFile.h"
 
-#include "vtkDemandDrivenPipeline.h"
-#include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
-#include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
-#include "vtkPlaneCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTimerLog.h"
-#include "vtkTrivialProducer.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 
 #include <algorithm>
-#include <cmath>
-#include <exception>
 #include <span>
+#include <utility>
 
-using gatun::ImageSetup;
 using gatun::InputKind;
-using gatun::Viewport;
 
 //------------------------------------------------------------------------------
-gatun::Viewport::Viewport(vtkRenderer* renderer)
+bool vtkGatunVolumeMapper::vtkInternals::IsParallel(vtkGatunVolumeMapper* mapper)
 {
-  renderer->GetTiledSizeAndOrigin(&this->Width, &this->Height, &this->X, &this->Y);
+  return mapper->Controller && mapper->Controller->GetNumberOfProcesses() > 1;
 }
 
 //------------------------------------------------------------------------------
-gatun::RayGrid gatun::MakeGrid(vtkRenderer* renderer, const Viewport& viewport, float distance)
-{
-  const bool toBorders =
-    distance > 1 || std::max(viewport.Width, viewport.Height) > gatun::RayImage::MostPixels;
-  const auto count = [&](int pixels)
-  { return toBorders ? std::max(2, static_cast<int>(std::ceil(pixels / distance))) : pixels; };
-  return { count(viewport.Width), count(viewport.Height), renderer->GetTiledAspectRatio(),
-    toBorders };
-}
-
-//------------------------------------------------------------------------------
-/** Brings the information of the input up to date, in which a reader publishes its file. */
-void vtkGatunVolumeMapper::vtkInternals::UpdateInformation(const gatun::RayProducer& producer)
-{
-  auto* const pipeline = vtkDemandDrivenPipeline::SafeDownCast(producer.Algorithm->GetExecutive());
-  if (!pipeline)
-  {
-    return;
-  }
-  pipeline->UpdatePipelineMTime();
-  const vtkMTimeType time = pipeline->GetPipelineMTime();
-  if (producer.Algorithm == this->FailedInput && time == this->FailedTime)
-  {
-    return;
-  }
-  const bool isKnown = pipeline->UpdateInformation() != 0;
-  this->FailedInput = isKnown ? nullptr : producer.Algorithm;
-  this->FailedTime = time;
-}
-
-//------------------------------------------------------------------------------
-/** The file to be drawn in place of the input, if there is one; it may have failed to open. */
-const gatun::PublishedFile* vtkGatunVolumeMapper::vtkInternals::FindFile(
+gatun::MapperConnection vtkGatunVolumeMapper::vtkInternals::GetConnection(
   vtkGatunVolumeMapper* mapper)
 {
-  const gatun::RayProducer producer = gatun::GetProducer(mapper);
-  if (!producer.Algorithm)
+  gatun::MapperConnection input{ gatun::GetProducer(mapper), { mapper->NumberOfPieces } };
+  if (IsParallel(mapper))
   {
-    return nullptr;
+    input.Pieces.Process = mapper->Controller->GetLocalProcessId();
+    input.Pieces.Processes = mapper->Controller->GetNumberOfProcesses();
   }
-  this->UpdateInformation(producer);
-  const gatun::PublishedFile* const handle =
-    gatun::GetPublishedFile(producer.Algorithm->GetOutputInformation(producer.Port));
-  return handle && (!handle->File || handle->CanReplaceOutput()) ? handle : nullptr;
-}
-
-//------------------------------------------------------------------------------
-/** The same, but throws if it failed to open. */
-const gatun::PublishedFile& vtkGatunVolumeMapper::vtkInternals::GetFile(
-  vtkGatunVolumeMapper* mapper)
-{
-  const gatun::PublishedFile* const handle = this->FindFile(mapper);
-  if (!handle->File)
-  {
-    std::rethrow_exception(handle->Failure);
-  }
-  return *handle;
-}
-
-//------------------------------------------------------------------------------
-InputKind vtkGatunVolumeMapper::vtkInternals::GetKind(vtkGatunVolumeMapper* mapper)
-{
-  vtkAlgorithm* const input = gatun::GetProducer(mapper).Algorithm;
-  if (!input)
-  {
-    return InputKind::None;
-  }
-  if (this->FindFile(mapper))
-  {
-    return InputKind::File;
-  }
-  // A grid that was given as such is there as a whole, whatever piece is asked for.
-  return mapper->NumberOfPieces > 1 && !vtkTrivialProducer::SafeDownCast(input) ? InputKind::Pieces
-                                                                                : InputKind::Grid;
+  return input;
 }
 
 //------------------------------------------------------------------------------
@@ -157,40 +82,43 @@ std::uint64_t vtkGatunVolumeMapper::vtkInternals::GetBudget(vtkGatunVolumeMapper
 }
 
 //------------------------------------------------------------------------------
+gatun::VolumeSettings vtkGatunVolumeMapper::vtkInternals::GetSettings(
+  vtkGatunVolumeMapper* mapper) const
+{
+  gatun::RequireNumber("ImageSampleDistance", mapper->ImageSampleDistance);
+  gatun::RequireNumber("MinimumImageSampleDistance", mapper->MinimumImageSampleDistance);
+  gatun::RequireNumber("MaximumImageSampleDistance", mapper->MaximumImageSampleDistance);
+  gatun::RequireNumber("OpacityLimit", mapper->OpacityLimit);
+  gatun::VolumeSettings settings;
+  settings.Mode = *gatun::RayModeOf(mapper->BlendMode);
+  settings.OpacityLimit = mapper->OpacityLimit;
+  settings.Intermixes = mapper->IntermixIntersectingGeometry;
+  settings.ClippingPlanes = mapper->GetClippingPlanes();
+  settings.Detail = gatun::DetailSettings(this->Policy.Get());
+  settings.AdjustsDistance = mapper->AutoAdjustSampleDistances;
+  settings.Distance = mapper->ImageSampleDistance;
+  settings.LeastDistance = mapper->MinimumImageSampleDistance;
+  settings.LargestDistance = mapper->MaximumImageSampleDistance;
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkGatunVolumeMapper::vtkInternals::GetMerges(vtkGatunVolumeMapper* mapper)
+{
+  const gatun::PublishedFile* const file = this->Input.FindFile(GetConnection(mapper));
+  return file ? file->Merges : 0;
+}
+
+//------------------------------------------------------------------------------
 bool vtkGatunVolumeMapper::vtkInternals::Simplifies(vtkGatunVolumeMapper* mapper)
 {
-  const gatun::PublishedFile* const file = this->FindFile(mapper);
-  if (!file && IsParallel(mapper))
+  if (IsParallel(mapper) && !this->Input.FindFile(GetConnection(mapper)))
   {
     return false; // parts that are simplified separately do not fit together
   }
   const gatun::DetailSettings detail(this->Policy.Get());
   return detail.JustInTime || detail.Ratio > 0 || detail.PixelError > 0 ||
-    (file && file->Merges > 0);
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunVolumeMapper::vtkInternals::Pull(vtkGatunVolumeMapper* mapper)
-{
-  const gatun::RayProducer producer = gatun::GetProducer(mapper);
-  switch (GetKind(mapper))
-  {
-    case InputKind::None:
-      break;
-    case InputKind::Grid:
-    {
-      // A grid that was given as such is the part of this process.
-      const bool isGiven = vtkTrivialProducer::SafeDownCast(producer.Algorithm) != nullptr;
-      const auto share = isGiven ? gatun::PieceShare{} : GetPieces(mapper);
-      gatun::PullPiece(producer, share.Process, share.Processes);
-      break;
-    }
-    case InputKind::File:
-    case InputKind::Pieces:
-      // vtkVolume draws nothing where there is no object, even if it is empty.
-      producer.Algorithm->UpdateDataObject();
-      break;
-  }
+    this->GetMerges(mapper) > 0;
 }
 
 //------------------------------------------------------------------------------
@@ -198,219 +126,78 @@ void vtkGatunVolumeMapper::vtkInternals::Pull(vtkGatunVolumeMapper* mapper)
 bool vtkGatunVolumeMapper::vtkInternals::SetScene(
   vtkGatunVolumeMapper* mapper, const gatun::RaySource::Progress& progress)
 {
-  const gatun::RayProducer producer = gatun::GetProducer(mapper);
-  const auto budget = GetBudget(mapper);
-  switch (GetKind(mapper))
-  {
-    case InputKind::None:
-      return false;
-    case InputKind::File:
-    {
-      const gatun::PublishedFile& file = this->GetFile(mapper);
-      const auto step = gatun::GetRequestedStep(
-        *file.File->GetFile(), producer.Algorithm->GetOutputInformation(producer.Port));
-      this->Scene.SetFile(file, step, GetArray(mapper), this->Simplifies(mapper));
-      return true;
-    }
-    case InputKind::Pieces:
-      this->Scene.SetPieces(producer, GetPieces(mapper), GetArray(mapper), budget, progress);
-      return true;
-    case InputKind::Grid:
-      break;
-  }
-  Pull(mapper);
-  auto* const grid = vtkUnstructuredGrid::SafeDownCast(mapper->GetDataObjectInput());
-  if (!grid)
-  {
-    throw gatun::Error(gatun::ErrorCode::InvalidInput, "the input is not a vtkUnstructuredGrid");
-  }
-  if (grid->GetNumberOfCells() == 0)
-  {
-    return false;
-  }
-  this->Scene.SetGrid(grid, GetArray(mapper), budget, this->Simplifies(mapper));
-  return true;
-}
-
-//------------------------------------------------------------------------------
-float vtkGatunVolumeMapper::vtkInternals::ChooseDistance(vtkGatunVolumeMapper* mapper,
-  vtkRenderer* renderer, vtkVolume* volume, const Viewport& viewport) const
-{
-  if (!mapper->AutoAdjustSampleDistances)
-  {
-    return mapper->ImageSampleDistance;
-  }
-  const float least = mapper->MinimumImageSampleDistance;
-  const auto known = this->TimeOfRays.find({ renderer, volume });
-  const double allocated = volume->GetAllocatedRenderTime();
-  if (known == this->TimeOfRays.end() || !(allocated > 0))
-  {
-    return least;
-  }
-  const double all = known->second * viewport.Width * viewport.Height;
-  const auto wanted = static_cast<float>(std::sqrt(all / allocated));
-  return std::max(least, std::min(wanted, mapper->MaximumImageSampleDistance));
-}
-
-//------------------------------------------------------------------------------
-/** What the present image needs. */
-std::shared_ptr<const gatun::DetailView> vtkGatunVolumeMapper::vtkInternals::MakeDetailView(
-  vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
-{
-  vtkNew<vtkMatrix4x4> matrix;
-  volume->GetMatrix(matrix);
-  const gatun::RayMode mode = *gatun::RayModeOf(mapper->BlendMode);
-  const auto view = gatun::MakeRayView(
-    renderer->GetActiveCamera(), gatun::MakeGrid(renderer, Viewport(renderer), 1), matrix, true);
-  return gatun::MakeDetailView(this->Policy.Get()->GetPixelError(), view,
-    gatun::MakeRayTable(volume->GetProperty(), mode, this->Scene.GetRange(), view.SampleDistance));
-}
-
-//------------------------------------------------------------------------------
-gatun::FrameRequest vtkGatunVolumeMapper::vtkInternals::GetRequest(
-  vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
-{
-  const Viewport viewport(renderer);
-  const gatun::DetailSettings detail(this->Policy.Get());
-  gatun::FrameRequest request;
-  const double allocated = volume->GetAllocatedRenderTime();
-  if (detail.JustInTime && allocated > 0 && allocated < gatun::LeastTimeAtRest)
-  {
-    request.Budget = detail.TimeBudget > 0 ? detail.TimeBudget : allocated;
-  }
-  const gatun::PublishedFile* const file = this->FindFile(mapper);
-  request.Ratio = detail.Ratio;
-  request.Merges = file ? file->Merges : 0;
-  if ((request.Budget > 0 && detail.ViewDependent) || detail.PixelError > 0)
-  {
-    request.View = this->MakeDetailView(mapper, renderer, volume);
-  }
-  request.Pixels = static_cast<double>(viewport.Width) * viewport.Height;
-  const bool adjusts = mapper->AutoAdjustSampleDistances;
-  request.LeastDistance =
-    adjusts ? mapper->MinimumImageSampleDistance : mapper->ImageSampleDistance;
-  request.LargestDistance = adjusts
-    ? std::max(mapper->MinimumImageSampleDistance, mapper->MaximumImageSampleDistance)
-    : mapper->ImageSampleDistance;
-  return request;
+  const gatun::MapperConnection input = GetConnection(mapper);
+  return this->Input.GetKind(input) != InputKind::None &&
+    this->Input.SetScene(
+      input, GetArray(mapper), GetBudget(mapper), this->Simplifies(mapper), progress);
 }
 
 //------------------------------------------------------------------------------
 void vtkGatunVolumeMapper::vtkInternals::ReportReason(vtkGatunVolumeMapper* mapper)
 {
-  const std::string& reason = this->Scene.GetReason();
-  if (reason != this->Reason)
+  const std::string reason = this->Input.TakeReason();
+  if (!reason.empty())
   {
-    this->Reason = reason;
-    if (!reason.empty())
-    {
-      vtkWarningWithObjectMacro(mapper, << reason);
-    }
+    vtkWarningWithObjectMacro(mapper, << reason);
   }
 }
 
 //------------------------------------------------------------------------------
-/** All but the limits that geometry sets. */
-ImageSetup vtkGatunVolumeMapper::vtkInternals::MakeSetup(vtkGatunVolumeMapper* mapper,
-  vtkRenderer* renderer, vtkVolume* volume, const gatun::RayView& view, const gatun::Range& values)
-{
-  vtkCamera* const camera = renderer->GetActiveCamera();
-  vtkNew<vtkMatrix4x4> matrix;
-  volume->GetMatrix(matrix);
-  gatun::RaySettings settings;
-  settings.Opaque = static_cast<float>(mapper->OpacityLimit);
-  settings.Shading =
-    gatun::MakeRayShading(volume->GetProperty(), camera, renderer->GetLights(), matrix);
-  return { this->Scene.GetLevels(), renderer, volume, view,
-    gatun::MakeRayTable(
-      volume->GetProperty(), *gatun::RayModeOf(mapper->BlendMode), values, view.SampleDistance),
-    gatun::MakeRayLimits(view, mapper->GetClippingPlanes(), matrix), settings };
-}
-
-//------------------------------------------------------------------------------
-gatun::RayStatistics vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapper* mapper,
-  vtkRenderer* renderer, vtkVolume* volume, const Viewport& viewport, const gatun::RayGrid& grid,
-  const gatun::RaySource::Progress& progress, const gatun::Frame& frame)
-{
-  vtkCamera* const camera = renderer->GetActiveCamera();
-  vtkNew<vtkMatrix4x4> matrix;
-  volume->GetMatrix(matrix);
-  const auto view = gatun::MakeRayView(camera, grid, matrix, true);
-  ImageSetup setup = this->MakeSetup(mapper, renderer, volume, view, this->Scene.GetRange());
-  if (mapper->IntermixIntersectingGeometry && renderer->GetNumberOfPropsRendered() > 0)
-  {
-    vtkNew<vtkFloatArray> depths;
-    renderer->GetRenderWindow()->GetZbufferData(viewport.X, viewport.Y,
-      viewport.X + viewport.Width - 1, viewport.Y + viewport.Height - 1, depths);
-    const std::span<const float> zBuffer(
-      depths->GetPointer(0), static_cast<std::size_t>(depths->GetNumberOfValues()));
-    gatun::LimitByZBuffer(
-      view, camera, grid, zBuffer, viewport.Width, viewport.Height, setup.Limits);
-  }
-  if (frame.Source && !this->Policy.Get()->GetJustInTime())
-  {
-    // The user may be looking for the best ratio.
-    setup.Settings.Repeatable = true;
-    this->DrawAnew(setup, frame.Source, grid, progress);
-    return {};
-  }
-  this->Refresh.reset();
-  gatun::RayCaster caster(view, std::move(setup.Table), setup.Limits, setup.Settings);
-  this->Scene.Draw(caster, view, progress, frame.Source.get());
-  this->Image.Take(caster, grid);
-  this->PartDrawn = 1;
-  return caster.GetStatistics();
-}
-
-//------------------------------------------------------------------------------
-/** Draws the tiles that another number of points changes. */
-void vtkGatunVolumeMapper::vtkInternals::DrawAnew(const ImageSetup& setup,
-  std::shared_ptr<gatun::RaySource> source, const gatun::RayGrid& grid,
-  const gatun::RaySource::Progress& progress)
-{
-  if (!this->Refresh || *this->Setup != setup)
-  {
-    this->Setup = std::make_shared<const ImageSetup>(setup);
-    this->Refresh = std::make_unique<gatun::RayRefresh>(
-      [kept = this->Setup]
-      {
-        return std::make_unique<gatun::RayCaster>(
-          kept->View, kept->Table, kept->Limits, kept->Settings);
-      });
-  }
-  this->PartDrawn = this->Image.Take(*this->Refresh, std::move(source), grid, progress);
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunVolumeMapper::vtkInternals::RequireNumbers(vtkGatunVolumeMapper* mapper)
-{
-  gatun::RequireNumber("ImageSampleDistance", mapper->ImageSampleDistance);
-  gatun::RequireNumber("MinimumImageSampleDistance", mapper->MinimumImageSampleDistance);
-  gatun::RequireNumber("MaximumImageSampleDistance", mapper->MaximumImageSampleDistance);
-  gatun::RequireNumber("OpacityLimit", mapper->OpacityLimit);
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
+void vtkGatunVolumeMapper::vtkInternals::Draw(
   vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
-  if (IsParallel(mapper))
-  {
-    this->DrawParallel(mapper, renderer, volume);
-    return;
-  }
-  const Viewport viewport(renderer);
-  if (viewport.Width <= 0 || viewport.Height <= 0)
-  {
-    return;
-  }
-  RequireNumbers(mapper);
   vtkRenderWindow* const window = renderer->GetRenderWindow();
   const auto progress = [mapper, window](double fraction)
   {
     mapper->UpdateProgress(fraction);
     return window->CheckAbortStatus() == 0;
   };
+  if (IsParallel(mapper))
+  {
+    this->DrawTogether(mapper, renderer, volume, progress);
+  }
+  else
+  {
+    this->DrawAlone(mapper, renderer, volume, progress);
+  }
+}
+
+//------------------------------------------------------------------------------
+gatun::RayStatistics vtkGatunVolumeMapper::vtkInternals::Cast(const gatun::VolumeFrame& frame,
+  const gatun::FramePlan& plan, const gatun::RayGrid& grid,
+  const gatun::RaySource::Progress& progress)
+{
+  gatun::RayScene& scene = this->Input.GetScene();
+  vtkRenderer* const renderer = frame.GetRenderer();
+  const gatun::RayView view = frame.MakeView(grid);
+  gatun::ImageSetup setup = frame.MakeSetup(scene.GetLevels(), view, scene.GetRange());
+  if (frame.GetSettings().Intermixes && renderer->GetNumberOfPropsRendered() > 0)
+  {
+    vtkNew<vtkFloatArray> depths;
+    frame.ReadDepths(depths);
+    const std::span<const float> zBuffer(
+      depths->GetPointer(0), static_cast<std::size_t>(depths->GetNumberOfValues()));
+    gatun::LimitByZBuffer(view, renderer->GetActiveCamera(), grid, zBuffer,
+      frame.GetViewport().Width, frame.GetViewport().Height, setup.Limits);
+  }
+  if (plan.Detail.Source && !frame.GetSettings().Detail.JustInTime)
+  {
+    // The user may be looking for the best ratio.
+    this->Image.DrawChanges(plan.Detail.Source, std::move(setup), grid, progress);
+    return {};
+  }
+  return this->Image.Draw(scene, plan.Detail.Source.get(), setup, grid, progress);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeMapper::vtkInternals::DrawAlone(vtkGatunVolumeMapper* mapper,
+  vtkRenderer* renderer, vtkVolume* volume, const gatun::RaySource::Progress& progress)
+{
+  if (gatun::Viewport(renderer).IsEmpty())
+  {
+    return;
+  }
+  const gatun::VolumeFrame frame(renderer, volume, this->GetSettings(mapper));
   if (!this->SetScene(mapper, progress))
   {
     return;
@@ -418,43 +205,94 @@ void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
   this->ReportReason(mapper);
   // From here on, as the time for the input says nothing of the next image.
   mapper->Timer->StartTimer();
-  const auto key = std::make_pair(renderer, volume);
-  gatun::LevelOfDetailCache* const levels = this->Scene.GetLevels();
-  gatun::JustInTime* const frames = levels ? &this->Frames[key] : nullptr;
-  const gatun::FrameRequest request = this->GetRequest(mapper, renderer, volume);
-  const gatun::Frame frame = frames ? frames->Begin(*levels, request, progress) : gatun::Frame{};
-  const bool inMotion = frames && request.Budget > 0;
-  const float distance = inMotion ? static_cast<float>(frame.Distance)
-                                  : this->ChooseDistance(mapper, renderer, volume, viewport);
-  const gatun::RayGrid grid = gatun::MakeGrid(renderer, viewport, distance);
+  gatun::RayScene& scene = this->Input.GetScene();
+  gatun::LevelOfDetailCache* const levels = scene.GetLevels();
+  const gatun::FramePlan plan =
+    this->Planner.Choose(frame, levels, this->GetMerges(mapper), scene.GetRange(), progress);
+  const gatun::RayGrid grid = frame.MakeGrid(plan.Distance);
   const gatun::FrameNotice notice(levels);
   const double before = vtkTimerLog::GetUniversalTime();
-  const auto statistics = this->Draw(mapper, renderer, volume, viewport, grid, progress, frame);
+  const gatun::RayStatistics statistics = this->Cast(frame, plan, grid, progress);
   const double cast = vtkTimerLog::GetUniversalTime() - before;
-  this->Image.Show(renderer, volume, mapper->IntermixIntersectingGeometry);
-  if (inMotion)
+  this->Image.Show(frame, mapper->IntermixIntersectingGeometry);
+  if (plan.IsInMotion)
   {
-    window->WaitForCompletion(); // or the next image would pay for this one
+    renderer->GetRenderWindow()->WaitForCompletion(); // or the next image would pay for this one
   }
-  mapper->Timer->StopTimer();
+  this->Finish(mapper, plan, plan.Distance);
   const double rays = static_cast<double>(grid.Width) * grid.Height;
-  mapper->ImageSampleDistance = distance;
-  mapper->TimeToDraw = mapper->Timer->GetElapsedTime();
-  this->TimeOfRays[key] = mapper->TimeToDraw / rays;
-  this->Points = frame.Points;
-  if (frames && this->Policy.Get()->GetJustInTime())
-  {
-    frames->End(*levels, frame, rays, statistics, { cast, mapper->TimeToDraw });
-  }
+  this->Planner.Learn(frame, levels, plan, rays, statistics, { cast, mapper->TimeToDraw });
   mapper->UpdateProgress(1);
 }
 
 //------------------------------------------------------------------------------
-/** The same for all the damage in a file, as threads meet damaged blocks in any order. */
-std::string vtkGatunVolumeMapper::vtkInternals::GetCause(
-  vtkGatunVolumeMapper* mapper, const gatun::VTKFailure& failure)
+/** The frame of this process, and the facts of its mesh. */
+std::unique_ptr<gatun::VolumeFrame> vtkGatunVolumeMapper::vtkInternals::MakePart(
+  vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
+  const gatun::RaySource::Progress& progress, gatun::PartFacts& facts)
 {
-  return failure.Code == vtkErrorCode::FileFormatError && GetKind(mapper) == InputKind::File
-    ? this->FindFile(mapper)->Path
-    : failure.Message;
+  auto frame = std::make_unique<gatun::VolumeFrame>(renderer, volume, this->GetSettings(mapper));
+  facts.HasMesh = this->SetScene(mapper, progress);
+  if (facts.HasMesh)
+  {
+    this->ReportReason(mapper);
+    std::copy_n(mapper->GetBounds(), facts.Bounds.size(), facts.Bounds.begin());
+    const gatun::Range& values = this->Input.GetScene().GetRange();
+    facts.Low = values.Min;
+    facts.High = values.Max;
+    facts.File = this->Input.Identify(GetConnection(mapper));
+  }
+  return frame;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeMapper::vtkInternals::DrawTogether(vtkGatunVolumeMapper* mapper,
+  vtkRenderer* renderer, vtkVolume* volume, const gatun::RaySource::Progress& progress)
+{
+  this->BytesSent = 0;
+  gatun::ParallelFrame together(mapper->Controller);
+  const bool isSeen = together.Gather([&](gatun::PartFacts& facts)
+    { return this->MakePart(mapper, renderer, volume, progress, facts); });
+  if (!isSeen)
+  {
+    return;
+  }
+  // From here on, as the time for the input says nothing of the next image.
+  mapper->Timer->StartTimer();
+  gatun::RayScene& scene = this->Input.GetScene();
+  const gatun::VolumeFrame& frame = together.GetFrame();
+  gatun::LevelOfDetailCache* const levels =
+    together.HasOneFile() && this->Simplifies(mapper) ? scene.GetLevels() : nullptr;
+  gatun::LevelOfDetailCache* const chosen = together.IsFirst() ? levels : nullptr;
+  gatun::FramePlan plan;
+  const gatun::ParallelPlan& agreed = together.Agree(
+    [&]
+    {
+      plan =
+        this->Planner.Choose(frame, chosen, this->GetMerges(mapper), scene.GetRange(), progress);
+      return plan;
+    },
+    mapper->ImageProcess);
+  const gatun::RayStatistics statistics = together.Draw(scene, levels, progress, this->Image);
+  this->BytesSent = together.GetBytesSent();
+  if (agreed.IsInMotion)
+  {
+    renderer->GetRenderWindow()->WaitForCompletion(); // or the next image would pay for this one
+  }
+  this->Finish(mapper, plan, agreed.Distance);
+  const double rays = static_cast<double>(agreed.Grid.Width) * agreed.Grid.Height;
+  this->Planner.Learn(
+    frame, chosen, plan, rays, statistics, { together.GetCastSeconds(), mapper->TimeToDraw });
+  mapper->UpdateProgress(1);
+}
+
+//------------------------------------------------------------------------------
+/** The image is shown. Distance: of its rays. */
+void vtkGatunVolumeMapper::vtkInternals::Finish(
+  vtkGatunVolumeMapper* mapper, const gatun::FramePlan& plan, float distance)
+{
+  mapper->Timer->StopTimer();
+  mapper->TimeToDraw = mapper->Timer->GetElapsedTime();
+  mapper->ImageSampleDistance = distance;
+  this->Points = plan.Detail.Points;
 }
