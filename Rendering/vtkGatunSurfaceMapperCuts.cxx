@@ -292,8 +292,7 @@ bool vtkGatunSurfaceMapper::vtkInternals::DrawCut(
  * drawn, as there is no room for what it would be made of. */
 bool vtkGatunSurfaceMapper::vtkInternals::DrawPreciseCut(const Image& image)
 {
-  // Throws if there is no hierarchy.
-  this->Source.File->GetHierarchy();
+  this->Source.File->RequireHierarchy();
   const auto order = this->MakeOrder(image);
   if (!order)
   {

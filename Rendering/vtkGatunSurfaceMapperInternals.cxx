@@ -152,8 +152,8 @@ std::size_t vtkGatunSurfaceMapper::vtkInternals::CountMerges(
   {
     return file.Merges;
   }
-  // Throws if there is no hierarchy.
-  const gatun::FileReader& reader = *file.File->GetHierarchy().GetFile();
+  file.File->RequireHierarchy();
+  const gatun::FileReader& reader = *file.File->GetFile();
   const std::size_t merges =
     gatun::CountMerges({ gatun::SimplifyTarget::Ratio, mapper->SimplificationRatio },
       reader.GetNumberOfPoints(), reader.GetNumberOfMerges(), {});
