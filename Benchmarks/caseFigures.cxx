@@ -14,7 +14,7 @@
 #include "gatunMergeTree.h"
 #include "gatunParallel.h"
 #include "gatunRayCaster.h"
-#include "gatunSimplifiedFile.h"
+#include "gatunSharedFile.h"
 #include "vtkGatunDetailPolicy.h"
 #include "vtkGatunRayCaster.h"
 #include "vtkGatunReader.h"
@@ -182,7 +182,7 @@ void DrawSimplified(SimplifiedImage& image, const std::shared_ptr<const gatun::F
   gatun::RayCaster caster(view, scene.MakeTable(view, mode));
   if (ratio > 0)
   {
-    gatun::SimplifiedFile meshes(file);
+    gatun::SharedFile meshes(file);
     const auto place =
       meshes.Find(CountMerges(ratio, file->GetNumberOfPoints(), file->GetNumberOfMerges()));
     gatun::CoarseRaySource source(

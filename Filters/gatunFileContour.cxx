@@ -62,11 +62,7 @@ void FileContour::Open(const PublishedFile& handle)
     return;
   }
   this->Close();
-  SimplifiedFile::Place place{ handle.File->GetFile(), nullptr, 0 };
-  if (handle.Merges > 0)
-  {
-    place = handle.File->GetHierarchy().Find(handle.Merges);
-  }
+  const SharedFile::Place place = handle.File->Find(handle.Merges);
   this->Extractor = std::make_unique<FileSurface>(
     handle.File->MakeView(place.File, true), place.Tree, place.Merges);
   this->File = handle.File;

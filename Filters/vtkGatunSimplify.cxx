@@ -197,14 +197,14 @@ void vtkGatunSimplify::vtkInternals::FillFromFile(vtkGatunSimplify* self,
     this->File = handle.File;
   }
   const gatun::FileReader& file = *handle.File->GetFile();
-  gatun::SimplifiedFile& hierarchy = handle.File->GetHierarchy();
+  handle.File->RequireHierarchy();
   // The target is about the reader's mesh, except for an error, which is about the whole mesh.
   const gatun::SimplifyTarget target = Target(self).GetTarget();
   const bool isError = target.Kind == gatun::SimplifyTarget::RMSError;
   const std::size_t before = isError ? 0 : handle.Merges;
   const std::size_t merges = before +
     gatun::CountMerges(target, file.GetNumberOfPoints() - before, file.GetNumberOfMerges() - before,
-      [&hierarchy]() -> const gatun::MergeTree& { return hierarchy.GetTree(); });
+      [&handle]() -> const gatun::MergeTree& { return handle.File->GetTree(); });
   this->FileMerges = std::max(merges, handle.Merges);
 
   gatun::PortRequest port(file, outInfo);
@@ -417,7 +417,7 @@ double vtkGatunSimplify::GetOutputRMSError()
   try
   {
     // The tree is not needed for the output if that is a base mesh.
-    const gatun::MergeTree& tree = self.File->GetHierarchy().GetTree();
+    const gatun::MergeTree& tree = self.File->GetTree();
     return tree.GetLargestError(tree.CountWholeMerges(self.FileMerges));
   }
   catch (...)

@@ -281,7 +281,7 @@ std::optional<std::size_t> vtkGatunMeshReader::vtkInternals::FindBoundaryMerges(
   {
     return {};
   }
-  const auto boundary = handle.File->GetBoundary();
+  const auto& boundary = handle.File->GetBoundary()->GetFile();
   const auto points = static_cast<double>(boundary->GetNumberOfPoints());
   const auto cells = static_cast<double>(boundary->GetNumberOfCells());
   constexpr std::uint64_t bytesOfFace = 5 * sizeof(vtkIdType) + 1;
@@ -298,8 +298,8 @@ std::optional<std::size_t> vtkGatunMeshReader::vtkInternals::FindBoundaryMerges(
   std::size_t merges = 0;
   if (handle.Merges > 0 && boundary->HasMergeTree())
   {
-    const double error = handle.File->GetHierarchy().GetTree().GetLargestError(handle.Merges);
-    merges = handle.File->GetBoundaryHierarchy().GetTree().CountMergesForError(error);
+    const double error = handle.File->GetTree().GetLargestError(handle.Merges);
+    merges = handle.File->GetBoundary()->GetTree().CountMergesForError(error);
   }
   if (bytes > room)
   {

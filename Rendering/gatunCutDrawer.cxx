@@ -276,8 +276,7 @@ bool CutDrawer::DrawInMotion(
 //------------------------------------------------------------------------------
 bool CutDrawer::DrawPrecise(const SurfaceImage& image)
 {
-  // Throws if there is no hierarchy.
-  this->Surface.Source.File->GetHierarchy();
+  this->Surface.Source.File->RequireHierarchy();
   const auto order = this->MakeOrder(image);
   if (!order)
   {

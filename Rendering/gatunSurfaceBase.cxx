@@ -82,7 +82,7 @@ SurfaceBase::SurfaceBase(PublishedFile source, std::size_t merges, SurfaceConten
       triangles.push_back({ corners[0], corners[1], corners[2] });
     }
   }
-  SimplifiedFile& hierarchy = this->Source.File->GetHierarchy();
+  SharedFile& hierarchy = *this->Source.File;
   const auto file = hierarchy.Find(merges).File;
   auto tree = hierarchy.GetTree(*file);
   const auto progressOfRest = [&](double done)

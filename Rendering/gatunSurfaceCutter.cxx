@@ -114,7 +114,7 @@ bool SurfaceCutter::IsFineEnough(const SurfaceCutOrder& order, std::size_t merge
   }
   if (!this->FirstErrors.contains(merges))
   {
-    const MergeTree tree = order.Source.File->GetHierarchy().Find(merges).File->GetMergeTree();
+    const MergeTree tree = order.Source.File->Find(merges).File->GetMergeTree();
     this->FirstErrors[merges] = tree.GetMerges().empty() ? std::numeric_limits<double>::infinity()
                                                          : double{ tree.GetMerges().front().Error };
   }

@@ -31,7 +31,7 @@ SurfaceLevel::SurfaceLevel(PublishedFile source, std::size_t merges, SurfaceCont
   if (merges > 0)
   {
     const bool hasBaseMeshes = &reader.GetMesh() != this->Source.File->GetFile().get();
-    this->Place = this->Source.File->GetHierarchy().Find(merges, hasBaseMeshes);
+    this->Place = this->Source.File->Find(merges, hasBaseMeshes);
     const auto points = static_cast<double>(this->Place.File->GetNumberOfPoints());
     this->Left = points > 0 ? 1 - static_cast<double>(this->Place.Merges) / points : 1;
   }

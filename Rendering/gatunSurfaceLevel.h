@@ -48,7 +48,7 @@ private:
   PublishedFile Source;
   std::size_t Merges;
   SurfaceContents What;
-  SimplifiedFile::Place Place;                         // of the mesh that is decoded
+  SharedFile::Place Place;                             // of the mesh that is decoded
   std::vector<Bounds> Boxes;                           // of the chunks
   double Left = 1;                                     // share of its points that merges leave
   mutable std::shared_ptr<const MergeChanges> Changes; // once they were needed; of one thread

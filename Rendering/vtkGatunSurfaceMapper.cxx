@@ -60,8 +60,8 @@ std::size_t CountMerges(const gatun::PublishedFile& file, double ratio)
   {
     return file.Merges;
   }
-  // Throws if there is no hierarchy.
-  const gatun::FileReader& reader = *file.File->GetHierarchy().GetFile();
+  file.File->RequireHierarchy();
+  const gatun::FileReader& reader = *file.File->GetFile();
   const std::size_t merges = gatun::CountMerges({ gatun::SimplifyTarget::Ratio, ratio },
     reader.GetNumberOfPoints(), reader.GetNumberOfMerges(), {});
   return std::max(merges, file.Merges);

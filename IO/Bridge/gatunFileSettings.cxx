@@ -17,10 +17,9 @@ std::size_t FileSettings::CountMerges(SharedFile& mesh) const
   {
     return 0;
   }
-  SimplifiedFile& hierarchy = mesh.GetHierarchy();
+  mesh.RequireHierarchy();
   return gatun::CountMerges(this->Simplification.GetTarget(), mesh.GetFile()->GetNumberOfPoints(),
-    mesh.GetFile()->GetNumberOfMerges(),
-    [&hierarchy]() -> const MergeTree& { return hierarchy.GetTree(); });
+    mesh.GetFile()->GetNumberOfMerges(), [&mesh]() -> const MergeTree& { return mesh.GetTree(); });
 }
 
 //------------------------------------------------------------------------------
@@ -34,12 +33,7 @@ bool FileSettings::IsOnDemand(SharedFile& mesh) const
   {
     return true; // without cells, too
   }
-  const FileReader& file = *mesh.GetFile();
-  const std::size_t merges = this->CountMerges(mesh);
-  const std::uint64_t cells = merges > 0 ? mesh.GetHierarchy().EstimateCells(merges)
-    : file.IsSurface()                   ? file.GetNumberOfCells()
-                                         : file.GetNumberOfTets();
-  return cells > *this->LargeMesh;
+  return mesh.EstimateCells(this->CountMerges(mesh)) > *this->LargeMesh;
 }
 
 //------------------------------------------------------------------------------

@@ -246,13 +246,9 @@ PieceReader::~PieceReader() = default;
 void PieceReader::Choose(const PublishedFile& handle, std::size_t merges, bool keepsChunks)
 {
   const auto& file = handle.File->GetFile();
-  SimplifiedFile::Place place{ file, nullptr, 0 };
-  if (merges > 0)
-  {
-    // Base meshes have no original order.
-    const bool keepsOrder = handle.RestoreOrder && file->GetKeptOrder() != KeepNone;
-    place = handle.File->GetHierarchy().Find(merges, !keepsOrder);
-  }
+  // Base meshes have no original order.
+  const bool keepsOrder = handle.RestoreOrder && file->GetKeptOrder() != KeepNone;
+  const SharedFile::Place place = handle.File->Find(merges, !keepsOrder);
   this->SetMesh(handle, place.File, keepsChunks);
   this->Tree = place.Tree;
   this->Merges = place.Merges;
@@ -261,11 +257,7 @@ void PieceReader::Choose(const PublishedFile& handle, std::size_t merges, bool k
 //------------------------------------------------------------------------------
 void PieceReader::ChooseBoundary(const PublishedFile& handle, std::size_t merges)
 {
-  SimplifiedFile::Place place{ handle.File->GetBoundary(), nullptr, 0 };
-  if (merges > 0)
-  {
-    place = handle.File->GetBoundaryHierarchy().Find(merges);
-  }
+  const SharedFile::Place place = handle.File->GetBoundary()->Find(merges);
   this->SetMesh(handle, place.File, true);
   this->Tree = place.Tree;
   this->Merges = place.Merges;

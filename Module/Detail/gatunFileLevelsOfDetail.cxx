@@ -26,19 +26,23 @@ constexpr std::uint64_t PointsForRest = 20000;
 //------------------------------------------------------------------------------
 FileLevelsOfDetail::FileLevelsOfDetail(
   std::shared_ptr<const FileReader> file, const RayValues& values)
-  : Own(std::make_shared<SimplifiedFile>(std::move(file)))
-  , File(*this->Own)
-  , Values(values)
+  : FileLevelsOfDetail(std::make_shared<SharedFile>(std::move(file)), false, values)
 {
-  CheckRayValues(*this->File.GetFile(), values);
 }
 
 FileLevelsOfDetail::FileLevelsOfDetail(std::shared_ptr<SharedFile> shared, const RayValues& values)
-  : Shared(std::move(shared))
-  , File(this->Shared->GetHierarchy())
+  : FileLevelsOfDetail(std::move(shared), true, values)
+{
+}
+
+FileLevelsOfDetail::FileLevelsOfDetail(
+  std::shared_ptr<SharedFile> file, bool isShared, const RayValues& values)
+  : File(std::move(file))
+  , IsShared(isShared)
   , Values(values)
 {
-  CheckRayValues(*this->File.GetFile(), values);
+  this->File->RequireHierarchy();
+  CheckRayValues(*this->File->GetFile(), values);
 }
 
 FileLevelsOfDetail::~FileLevelsOfDetail() = default;
@@ -46,13 +50,13 @@ FileLevelsOfDetail::~FileLevelsOfDetail() = default;
 //------------------------------------------------------------------------------
 std::uint64_t FileLevelsOfDetail::GetNumberOfPoints() const
 {
-  return this->File.GetFile()->GetNumberOfPoints();
+  return this->File->GetFile()->GetNumberOfPoints();
 }
 
 //------------------------------------------------------------------------------
 std::uint64_t FileLevelsOfDetail::GetFewestPoints() const
 {
-  return this->GetNumberOfPoints() - this->File.GetFile()->GetNumberOfMerges();
+  return this->GetNumberOfPoints() - this->File->GetFile()->GetNumberOfMerges();
 }
 
 //------------------------------------------------------------------------------
@@ -66,10 +70,10 @@ std::uint64_t FileLevelsOfDetail::CountMerges(std::uint64_t points) const
 std::shared_ptr<RaySource> FileLevelsOfDetail::MakeSource(
   std::uint64_t points, std::uint64_t budget)
 {
-  const auto place = this->File.Find(this->CountMerges(points));
-  if (this->Shared)
+  const auto place = this->File->Find(this->CountMerges(points));
+  if (this->IsShared)
   {
-    auto parts = this->Shared->MakeView(place.File, false);
+    auto parts = this->File->MakeView(place.File, false);
     if (place.Merges == 0)
     {
       return std::make_shared<FileRaySource>(std::move(parts), this->Values);
@@ -88,7 +92,7 @@ std::shared_ptr<RaySource> FileLevelsOfDetail::MakeSource(
 //------------------------------------------------------------------------------
 DetailLevel FileLevelsOfDetail::MakeUniform(std::uint64_t points, std::uint64_t budget)
 {
-  const auto place = this->File.Find(this->CountMerges(points));
+  const auto place = this->File->Find(this->CountMerges(points));
   const std::uint64_t bytes =
     place.Merges > 0 ? CoarseRaySource::BytesPerPoint * place.File->GetNumberOfPoints() : 0;
   return { this->MakeSource(points, budget), points, bytes };
@@ -100,9 +104,9 @@ std::size_t FileLevelsOfDetail::FindLevel(std::uint64_t points) const
 {
   const auto merges = this->CountMerges(points);
   std::size_t found = 0;
-  for (std::size_t i = 0; i < this->File.GetNumberOfLevels(); ++i)
+  for (std::size_t i = 0; i < this->File->GetNumberOfLevels(); ++i)
   {
-    found = this->File.GetMergesOfLevel(i) <= merges ? i : found;
+    found = this->File->GetMergesOfLevel(i) <= merges ? i : found;
   }
   return found;
 }
@@ -118,14 +122,14 @@ std::size_t FileLevelsOfDetail::FindFinest(
     std::min(this->FindLevel(isForRest ? FinestToUniform * points
                                        : std::min(FinestToUniform * points, affordable)),
       coarse);
-  const FileReader& file = *this->File.GetFile();
+  const FileReader& file = *this->File->GetFile();
   const double weight =
     DetailWeights(view.View, GetDiagonal(file.GetBounds())).Get(file.GetBounds());
   auto level = coarse;
   const auto isEnough = [&]
   {
     // The error of the merges that lead to a level is at most that of the next one.
-    const auto tree = this->File.GetLevel(level).Tree;
+    const auto tree = this->File->GetLevel(level).Tree;
     return !tree->GetMerges().empty() &&
       tree->GetMerges().front().Error * weight <= view.PixelError;
   };
@@ -139,13 +143,13 @@ std::size_t FileLevelsOfDetail::FindFinest(
 //------------------------------------------------------------------------------
 std::shared_ptr<RayChunks> FileLevelsOfDetail::GetChunks(std::size_t level)
 {
-  this->Chunks.resize(this->File.GetNumberOfLevels());
+  this->Chunks.resize(this->File->GetNumberOfLevels());
   auto& chunks = this->Chunks[level];
   if (!chunks)
   {
-    const auto file = this->File.GetLevel(level).File;
-    auto parts = this->Shared ? this->Shared->MakeView(file, false)
-                              : std::make_shared<ChunkCache>(file, this->Budget);
+    const auto file = this->File->GetLevel(level).File;
+    auto parts = this->IsShared ? this->File->MakeView(file, false)
+                                : std::make_shared<ChunkCache>(file, this->Budget);
     parts->SetKeepsChunks(false);
     chunks = std::make_shared<RayChunks>(std::move(parts), this->Values, true);
   }
@@ -160,7 +164,7 @@ FileCuts* FileLevelsOfDetail::FindCuts(
   if (!this->Cuts || fine != this->Fine || coarse != this->Coarse)
   {
     this->Cuts.reset();
-    auto dependencies = this->File.GetDependencies(*this->File.GetLevel(fine).File, progress);
+    auto dependencies = this->File->GetDependencies(*this->File->GetLevel(fine).File, progress);
     if (!dependencies)
     {
       return nullptr;
@@ -168,7 +172,7 @@ FileCuts* FileLevelsOfDetail::FindCuts(
     std::vector<FileCuts::Base> bases;
     for (auto level = fine; level <= coarse; ++level)
     {
-      bases.push_back({ this->GetChunks(level), this->File.GetLevel(level).Tree });
+      bases.push_back({ this->GetChunks(level), this->File->GetLevel(level).Tree });
     }
     this->Cuts =
       std::make_unique<FileCuts>(std::move(bases), std::move(dependencies), this->Budget, progress);
@@ -191,7 +195,7 @@ DetailLevel FileLevelsOfDetail::MakeLevel(
   }
   if (!this->Budget)
   {
-    this->Budget = this->Shared ? this->Shared->GetBudget() : std::make_shared<CacheBudget>(budget);
+    this->Budget = this->IsShared ? this->File->GetBudget() : std::make_shared<CacheBudget>(budget);
   }
   const bool isForRest = points == all;
   const auto coarse = this->FindLevel(isForRest ? std::min(all, PointsForRest) : points);
@@ -207,6 +211,6 @@ DetailLevel FileLevelsOfDetail::MakeLevel(
 //------------------------------------------------------------------------------
 std::uint64_t FileLevelsOfDetail::EstimateTets(std::uint64_t points) const
 {
-  return this->File.EstimateCells(this->CountMerges(points));
+  return this->File->EstimateCells(this->CountMerges(points));
 }
 }

@@ -7,7 +7,6 @@
 #include "gatunLevelsOfDetail.h"
 #include "gatunRayValues.h"
 #include "gatunSharedFile.h"
-#include "gatunSimplifiedFile.h"
 
 #include <cstdint>
 #include <memory>
@@ -44,6 +43,8 @@ public:
   std::uint64_t EstimateTets(std::uint64_t points) const override;
 
 private:
+  FileLevelsOfDetail(std::shared_ptr<SharedFile> file, bool isShared, const RayValues& values);
+
   std::uint64_t CountMerges(std::uint64_t points) const;
   DetailLevel MakeUniform(std::uint64_t points, std::uint64_t budget);
   std::size_t FindLevel(std::uint64_t points) const;
@@ -52,9 +53,8 @@ private:
   std::shared_ptr<RayChunks> GetChunks(std::size_t level);
   FileCuts* FindCuts(std::size_t fine, std::size_t coarse, const RaySource::Progress& progress);
 
-  std::shared_ptr<SharedFile> Shared;        // null for a file of one's own
-  const std::shared_ptr<SimplifiedFile> Own; // null for a shared one
-  SimplifiedFile& File;                      // of these two
+  const std::shared_ptr<SharedFile> File;
+  const bool IsShared; // otherwise its budget is not used
   RayValues Values;
 
   // For views: the chunks of levels that were used, and the last meshes of some levels.

@@ -17,7 +17,6 @@ gatun_core_folder(Read
   EXPERIMENTAL_HEADERS
     gatunChunkCache.h
     gatunSharedFile.h
-    gatunSimplifiedFile.h
   PRIVATE_HEADERS
     gatunBoundaryCheck.h
     gatunCacheParts.h
@@ -60,6 +59,5 @@ gatun_core_folder(Read
     gatunPieceDecoder.cxx
     gatunPieceSelection.cxx
     gatunSharedFile.cxx
-    gatunSimplifiedFile.cxx
     gatunTablePages.cxx
     gatunVerifyFile.cxx)

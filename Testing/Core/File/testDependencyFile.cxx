@@ -8,7 +8,7 @@
 #include "gatunHostileTrees.h"
 #include "gatunMeshDependencies.h"
 #include "gatunParallel.h"
-#include "gatunSimplifiedFile.h"
+#include "gatunSharedFile.h"
 #include "gatunSurfaceTrees.h"
 #include "gatunTestTrees.h"
 #include "gatunTreeFile.h"
@@ -120,7 +120,7 @@ TEST(DependencyFile, TreesWithoutMergesHaveNoSection)
   Write(path, mesh, MakeOptions(tree));
   EXPECT_FALSE(FileReader(path).HasDependencies());
   auto file = std::make_shared<const FileReader>(path);
-  const auto found = SimplifiedFile(file).GetDependencies(*file);
+  const auto found = SharedFile(file).GetDependencies(*file);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->GetNumberOfMerges(), 0u);
 }
@@ -186,7 +186,7 @@ TEST(DependencyFile, WritingCanBeAbortedAtAnyTime)
   }
 }
 
-TEST(DependencyFile, SimplifiedFilesReadThemOnceOrFindThem)
+TEST(DependencyFile, SharedFilesReadThemOnceOrFindThem)
 {
   const std::string paths[] = { WriteLarge(true), WriteLarge(false) };
   for (std::size_t merges : { std::size_t{ 100 }, std::size_t{ 9000 } })
@@ -194,7 +194,7 @@ TEST(DependencyFile, SimplifiedFilesReadThemOnceOrFindThem)
     std::vector<std::shared_ptr<const MergeDependencies>> both;
     for (const auto& path : paths)
     {
-      SimplifiedFile file(std::make_shared<const FileReader>(path));
+      SharedFile file(std::make_shared<const FileReader>(path));
       const auto place = file.Find(merges);
       ASSERT_TRUE(place.Tree);
       EXPECT_EQ(file.GetTree(*place.File), place.Tree);
@@ -227,7 +227,7 @@ TEST(DependencyFile, SimplifiedFilesReadThemOnceOrFindThem)
     }
     EXPECT_TRUE(AreEquivalent(*both[0], *both[1]));
   }
-  SimplifiedFile file(std::make_shared<const FileReader>(paths[1]));
+  SharedFile file(std::make_shared<const FileReader>(paths[1]));
   EXPECT_THROW(file.GetDependencies(FileReader(paths[1])), Error);
   // An abort does not stay.
   const auto& whole = *file.GetFile();
@@ -340,7 +340,7 @@ TEST(DependencyFile, MergesOfAllPointsIntoOneHaveNone)
   const auto file = std::make_shared<const FileReader>(path);
   EXPECT_FALSE(file->HasDependencies());
   EXPECT_TRUE(VerifyFile(*file));
-  EXPECT_FALSE(SimplifiedFile(file).GetDependencies(*file));
+  EXPECT_FALSE(SharedFile(file).GetDependencies(*file));
 }
 
 /** Each merge of a chain into one point depends on the first one: all are skipped for it. */

@@ -5,7 +5,7 @@
 // the result of merging in memory.
 
 #include "gatunHostileTrees.h"
-#include "gatunSimplifiedFile.h"
+#include "gatunSharedFile.h"
 #include "gatunSurfaceTrees.h"
 
 #include <gtest/gtest.h>
@@ -290,7 +290,7 @@ TEST_P(SurfaceTreeFile, PiecesMakeUpTheWhole)
 
 TEST_P(SurfaceTreeFile, BaseMeshesGiveTheSame)
 {
-  SimplifiedFile file(this->File);
+  SharedFile file(this->File);
   const auto all = this->Tree->GetMerges().size();
   std::set<const FileReader*> meshes;
   for (std::size_t merges = 0; merges <= all; merges += all / 37)
@@ -314,7 +314,7 @@ TEST_P(SurfaceTreeFile, BaseMeshesGiveTheSame)
 
 TEST_P(SurfaceTreeFile, NoSeamIsOpened)
 {
-  SimplifiedFile file(this->File);
+  SharedFile file(this->File);
   const auto& merges = this->Tree->GetMerges();
   std::size_t lowered = 0;
   for (std::size_t n = 1; n < merges.size(); ++n)

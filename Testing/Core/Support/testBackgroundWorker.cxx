@@ -216,6 +216,12 @@ TEST(BackgroundWorker, TasksAreDestroyedWhenTheyEnd)
   first.Released.count_down();
   worker.Wait();
   EXPECT_EQ(kept.use_count(), 1);
+  for (int round = 0; round < 100; ++round)
+  {
+    worker.Request([kept] {});
+    worker.Wait();
+    EXPECT_EQ(kept.use_count(), 1);
+  }
 }
 
 //------------------------------------------------------------------------------
