@@ -8,7 +8,7 @@
 #
 # Makes a root of Debian 12 (bookworm) or 13 (trixie) with debootstrap, clones the commit checked
 # out here into /gatun of it and runs `Utilities/setup.sh demo` and `test` there, or the commands
-# given (ci: `.ci/run`). Needs root and the package debootstrap. Options:
+# given (ci: `.ci/run`; use: autopkgtest with the packages). Needs root and the package debootstrap. Options:
 #
 #   --root FOLDER    where the root goes             (/var/tmp/gatun-<release>)
 #   --again          use the root that is there already, with a fresh clone
