@@ -78,7 +78,7 @@ assert not [name for name in os.listdir(".") if name.startswith("new")], "half a
 gtn("pack", "-f", "mesh.vtu", "mesh.gtn", says="tetrahedra")
 assert gtn("pack", "-q", "-f", "mesh.vtu", "mesh.gtn") == ""
 
-# A read-only file counts as one that exists: -f replaces it, as cp -f does.
+# A read-only file is not replaced, not even with -f.
 write(standard_mesh(2), "other.vtu")
 for out in ("mesh.gtn", "back.vtu"):
     command = ("pack", "other.vtu") if out == "mesh.gtn" else ("unpack", "mesh.gtn")
@@ -90,6 +90,10 @@ for out in ("mesh.gtn", "back.vtu"):
     gtn(*command, out, code=1, says=f"gtn: {out}: exists; use -f to overwrite it")
     with open(out, "rb") as file:
         assert file.read() == old
+    gtn(command[0], "-f", *command[1:], out, code=1, says=f"gtn: {out}: is read-only")
+    with open(out, "rb") as file:
+        assert file.read() == old
+    os.chmod(out, 0o644)
     gtn(command[0], "-f", *command[1:], out, says="tetrahedra")
 gtn("verify", "mesh.gtn", "other.vtu", says="identical")
 

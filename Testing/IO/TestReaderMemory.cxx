@@ -152,7 +152,9 @@ Outcome ReadWithin(const std::string& path, rlim_t bytes, bool informed, int pie
     std::cerr << bytes << ": error " << reader->GetErrorCode() << ", " << notes << "\n";
     return Wrong;
   }
-  if (failed && (reader->GetOutput()->GetNumberOfPoints() != 0 || reader->GetStatistics()->GetValueByName(0, "CachedBytes").ToInt() != 0))
+  if (failed &&
+    (reader->GetOutput()->GetNumberOfPoints() != 0 ||
+      reader->GetStatistics()->GetValueByName(0, "CachedBytes").ToInt() != 0))
   {
     std::cerr << bytes << ": something is left\n";
     return Wrong;
