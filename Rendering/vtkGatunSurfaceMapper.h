@@ -137,8 +137,7 @@ public:
    * Statistics in the columns of a table of one row. With translucency, each pass over the geometry
    * counts as an image.
    *
-   *  - DrawnPoints: points of the surface in the last image; 0 if it was not simplified or not
-   * drawn from a file.
+   *  - DrawnPoints: points of the surface in the last image; 0 if it was not simplified.
    *  - DrawnChunks: chunks drawn in the last image; 0 without a file.
    *  - CulledChunks: chunks in the view that the last image skipped, as all their triangles are
    *    culled.

@@ -228,8 +228,8 @@ public:
   /**
    * Statistics of the last image, in the columns of a table of one row:
    *
-   *  - BytesRead: bytes that have been read from the file that the mapper draws since it was
-   * opened, by the mapper and by all other consumers of its reader; 0 if it draws none.
+   *  - BytesRead: bytes read from the file that is drawn since it was opened, by all consumers of
+   *    its reader; 0 without a file.
    *  - BytesSent: bytes that all processes together have sent to each other; 0 for one process.
    *  - DrawnPoints: points of the mesh; 0 if they are unknown, as without simplification.
    *  - RedrawnFraction: the part of the image that was drawn again, 0 to 1; see SetDetailPolicy.
