@@ -10,6 +10,7 @@ multiarch=$(dpkg-architecture -qDEB_HOST_MULTIARCH)
 config=$(echo "/usr/lib/$multiarch/cmake/paraview-"*)
 version=${config##*-}
 
+rm -rf "$folder"
 mkdir -p "$folder/bin" "$folder/lib/$multiarch/cmake"
 ln -s /usr/include /usr/share "$folder"
 find /usr/bin -mindepth 1 -exec ln -st "$folder/bin" {} +
