@@ -68,7 +68,7 @@ class Texts:
     """Texts of methods beyond those of their docstrings."""
 
     def __init__(self, folders):
-        self._headers = {path.stem: path for folder in folders for path in folder.glob("vtk*.h")}
+        self._headers = {path.stem: path for folder in folders for path in folder.rglob("vtk*.h")}
         self._groups = {}
 
     def _find_group(self, cls, method):

@@ -88,7 +88,7 @@ hint = "plain.gtn: there is no hierarchy in the file; make one with gtn pack --h
 gtn(*look, "--ratio", 0.5, "plain.gtn", "no.png", code=1, says=hint)
 gtn(*look, "--budget", 0.5, "plain.gtn", "no.png", code=1, says=hint)
 gtn(*look, "--ratio", 1.5, "levels.gtn", "no.png", code=2, says="--ratio")
-gtn(*look, "--ratio", "nan", "levels.gtn", "no.png", code=1, says="the simplification ratio must be")
+gtn(*look, "--ratio", "nan", "levels.gtn", "no.png", code=1, says="SimplificationRatio is not a number")
 gtn("pack", "--levels", -1, "mesh.vtu", "no.gtn", code=2, says="--levels")
 gtn("pack", "--hierarchy", "--weight", "nothing", "mesh.vtu", "no.gtn", code=1, says="nothing")
 gtn("pack", "--weight", "velocity", "mesh.vtu", "no.gtn", code=2, says="--hierarchy")

@@ -141,7 +141,7 @@ textured.SetPolys(triangles)
 coordinates = numpy_to_vtk(np.stack([u.ravel() / 40, v.ravel() / 24], axis=1), deep=1)
 textured.GetPointData().SetTCoords(coordinates)
 assert count_border_edges(textured) == 0
-simplifier = make_simplifier(textured.TARGET_NUMBER_OF_POINTS)
+simplifier = make_simplifier(textured)
 for number in range(textured.GetNumberOfPoints(), 100, -7):
     simplifier.SetSimplificationNumberOfPoints(number)
     simplifier.Update()

@@ -51,9 +51,12 @@ gm.add_array(numbered.GetPointData(), np.arange(numbered.GetNumberOfPoints()), "
 apart = gm.block(n=7)
 gm.add_array(apart.GetPointData(), np.full(apart.GetNumberOfPoints(), -1), "number")
 for grid, joined in ((numbered, True), (apart, False)):
-    source = PieceSource(lambda piece, pieces, step, grid=grid: piece_of(grid, piece, pieces))
-    grid.GetPointData().GetArray("number").GetInformation().Set(vtkGatunWriter.JOIN_POINTS(), 1)
-    writer, messages = write(source)
+    def marked(piece, pieces, step, grid=grid):
+        part = piece_of(grid, piece, pieces)
+        part.GetPointData().GetArray("number").GetInformation().Set(vtkGatunWriter.JOIN_POINTS(), 1)
+        return part
+
+    writer, messages = write(PieceSource(marked))
     assert not messages, messages
     assert (gm.statistic(writer, "Points") == whole.GetNumberOfPoints()) == joined
     assert gm.statistic(writer, "Cells") == whole.GetNumberOfCells()

@@ -74,12 +74,12 @@ require_raises(IsADirectoryError, folder, write, mesh, folder)
 other = gatun.from_numpy(points, tets, point_data={"other": value})
 refused = [
     (ValueError, "arrays", {"arrays": "x"}),
-    (gatun.InputError, "'x'", {"errors": {"x": "rel:1e-3"}}),
-    (gatun.InputError, "much", {"errors": "much"}),
-    (ValueError, "has to be a text", {"errors": {"value": 0.1}}),
+    (gatun.InputError, "'x'", {"tolerances": {"x": "rel:1e-3"}}),
+    (gatun.InputError, "much", {"tolerances": "much"}),
+    (ValueError, "has to be a text", {"tolerances": {"value": 0.1}}),
     (ValueError, "point_tolerance", {"point_tolerance": "small"}),
-    (ValueError, "point_tolerance", {"point_tolerance": -1}),
-    (ValueError, "point_tolerance", {"point_tolerance": "bits:40"}),
+    (gatun.InputError, "tolerance of coordinates", {"point_tolerance": -1}),
+    (gatun.InputError, "bits from 1 to 31", {"point_tolerance": "bits:40"}),
     (ValueError, "keep_order: 'x'", {"keep_order": "x"}),
     (ValueError, "the range is 0 to 64", {"levels": 65}),
     (gatun.InputError, "'x'", {"layers": "x"}),
