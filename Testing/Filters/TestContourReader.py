@@ -250,7 +250,8 @@ for kind, options in gc.kinds_of_files("wave").items():
                        {"SimplificationNumberOfPoints": 700},
                        {"SimplificationRMSError": 0.004},
                        {"SimplificationRatio": 0.0}):
-            gm.set_options(reader, **target)
+            no_others = {"SimplificationNumberOfPoints": 0, "SimplificationRMSError": 0}
+            gm.set_options(reader, **{**no_others, **target})
             contour.Update()
             mesh = gm.read(simple, **target)
             output = contour.GetOutput()

@@ -64,7 +64,7 @@ for grid, joined in ((numbered, True), (apart, False)):
     if joined:
         gm.assert_same_mesh(gm.read(path), whole)
 # Numbers that are none, and pieces that differ.
-for name, marked, says in (("velocity", range(PIECES), "array 'velocity' of piece 0 has no integers"),
+for name, marked, says in (("wave", range(PIECES), "array 'wave' of piece 0 has no integers"),
                            ("number", [0], "piece 1 has no point array to join by"),
                            ("number", [1, 2], "piece 1 has a point array to join by")):
     def make(piece, pieces, step):

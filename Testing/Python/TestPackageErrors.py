@@ -75,7 +75,7 @@ other = gatun.from_numpy(points, tets, point_data={"other": value})
 refused = [
     (ValueError, "arrays", {"arrays": "x"}),
     (gatun.InputError, "'x'", {"tolerances": {"x": "rel:1e-3"}}),
-    (gatun.InputError, "much", {"tolerances": "much"}),
+    (ValueError, "much", {"tolerances": "much"}),
     (ValueError, "has to be a text", {"tolerances": {"value": 0.1}}),
     (ValueError, "point_tolerance", {"point_tolerance": "small"}),
     (gatun.InputError, "tolerance of coordinates", {"point_tolerance": -1}),

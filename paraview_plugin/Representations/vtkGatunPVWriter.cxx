@@ -85,7 +85,7 @@ void vtkGatunPVWriter::AddArrayToleranceText(const char* text)
 //------------------------------------------------------------------------------
 void vtkGatunPVWriter::SetPointToleranceText(const char* text)
 {
-  const std::string given = text ? text : "";
+  const std::string given = text && std::strcmp(text, "none") != 0 ? text : "";
   const auto bound = gatun::ParseBound(given);
   if (!bound && !given.empty())
   {

@@ -70,7 +70,7 @@ public:
   /**
    * Tolerances as texts: "NAME=abs:E", "NAME=rel:E", "NAME=pw:E" or "NAME=bits:N" of an array, with
    * ",zeros" at the end if values of 0 stay exact; "abs:E", "rel:E" or "bits:N" of coordinates, and
-   * an empty text for none. Another text is an error.
+   * an empty text or "none" for none. Another text is an error.
    */
   void AddArrayToleranceText(const char* text);
   void SetPointToleranceText(const char* text);
