@@ -4,7 +4,7 @@
 #ifndef gatunMetaTable_h
 #define gatunMetaTable_h
 
-// The META section and field data. See Documentation/format.md, 3.1 and 3.6.
+// The META section and field data. See Documentation/format.md, 3.2 and 3.5.
 
 #include "gatunBytes.h"
 #include "gatunFieldData.h"

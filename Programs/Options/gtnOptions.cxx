@@ -10,7 +10,7 @@ namespace gtn
 //------------------------------------------------------------------------------
 void AddForce(CLI::App* command, bool& overwrite)
 {
-  command->add_flag("-f,--force", overwrite, "Overwrite OUT if it exists");
+  command->add_flag("-f,--force", overwrite, "Overwrite OUT if it exists and is not read-only");
 }
 
 //------------------------------------------------------------------------------
