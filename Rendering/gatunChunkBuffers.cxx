@@ -41,10 +41,10 @@ void ChunkBuffers::BeginFrame(vtkWindow* window, std::uint64_t limit)
 }
 
 //------------------------------------------------------------------------------
-void ChunkBuffers::Adopt(SurfaceChunk& chunk, vtkSmartPointer<vtkGatunChunkMapper> mapper)
+void ChunkBuffers::Adopt(SurfaceChunk& chunk, vtkGatunChunkMapper* mapper)
 {
   this->Drop(chunk);
-  chunk.Mapper = std::move(mapper);
+  chunk.Mapper = mapper;
   chunk.Frame = this->Frame;
 }
 

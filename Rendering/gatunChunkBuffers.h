@@ -62,7 +62,7 @@ public:
   std::uint64_t GetBytes() const { return this->Bytes; }
 
   /** Takes a mapper for a chunk, in place of what was kept. */
-  void Adopt(SurfaceChunk& chunk, vtkSmartPointer<vtkGatunChunkMapper> mapper);
+  void Adopt(SurfaceChunk& chunk, vtkGatunChunkMapper* mapper);
 
   /** Counts the memory of a chunk that was made for this image, and frees what is too much: its
    * mesh beyond a quarter of the limit, and chunks beyond the limit. */
