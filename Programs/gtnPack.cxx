@@ -282,8 +282,7 @@ void AddPack(CLI::App& app, Settings& settings)
     ->option_text("N");
   command->add_flag("--boundary", options->Boundary,
     "Store the boundary of the mesh, too, so that ParaView shows it at once when the mesh is read "
-    "on "
-    "demand");
+    "on demand");
   AddWeights(command, options->Merges);
   auto* layers = command
                    ->add_option("--layers", options->Layers,
@@ -298,21 +297,18 @@ void AddPack(CLI::App& app, Settings& settings)
   command
     ->add_option("--point-tolerance", options->PointTolerance,
       "Round coordinates: abs:E changes each of them by at most E, above 0, in their units; rel:E "
-      "by "
-      "at most E times the longest side of the bounding box; bits:N gives that side 2^N places, N "
-      "from 1 to 31. No cell turns over: where one would, coordinates are finer. Values of arrays "
-      "stay (default: none; everything is stored without loss)")
+      "by at most E times the longest side of the bounding box; bits:N gives that side 2^N places, "
+      "N from 1 to 31. No cell turns over: where one would, coordinates are finer. Values of "
+      "arrays stay (default: none; everything is stored without loss)")
     ->option_text("WHAT");
   command
     ->add_option("--tolerance", options->Tolerances,
       "Let the values of an array differ by at most a bound, NAME=KIND:E. NAME is an array, or * "
-      "for "
-      "all floating-point arrays that are not named. KIND is abs (the difference), rel (by the "
-      "range "
-      "of the component at the time step), pw (by the magnitude of the value), or bits (the number "
-      "of significant binary digits to keep, 1 to 52). With ',zeros' at the end, values of 0 stay "
-      "exact. Ids, NaN and infinities always do. May be repeated (default: none; everything is "
-      "stored without loss)")
+      "for all floating-point arrays that are not named. KIND is abs (the difference), rel (by the "
+      "range of the component at the time step), pw (by the magnitude of the value), or bits (the "
+      "number of significant binary digits to keep, 1 to 52). With ',zeros' at the end, values of "
+      "0 stay exact. Ids, NaN and infinities always do. May be repeated (default: none; everything "
+      "is stored without loss)")
     ->allow_extra_args(false)
     ->option_text("NAME=KIND:E");
   command->add_flag("--fast-arrays", options->FastArrays,

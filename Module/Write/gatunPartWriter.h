@@ -28,9 +28,9 @@ struct PartWriterOptions
   /** Options of the file. Hierarchies and layers need the whole mesh and are refused. */
   WriterOptions File;
 
-  /** The number of bytes of points on the boundaries of parts that are kept in memory; further ones
-   * are in temporary files in the folder of the file. */
-  std::size_t SpillMemory = std::size_t{ 64 } << 20;
+  /** The number of bytes of points on the boundaries of parts that are kept in memory, and again of
+   * those that are joined; further ones are in temporary files in the folder of the file. */
+  std::size_t SpillMemory = std::size_t{ 32 } << 20;
 
   /** Whether the global ids mark the points of several parts by ids of 0 and more. These points are
    * compared wherever they are, and points with negative ids are not compared. */
@@ -76,7 +76,7 @@ struct PartStatistics
  * number of the first one.
  *
  * Memory: the part that the caller has; up to 3 times as much beside it with several time steps,
- * and less than it with one, whose values are encoded together with the mesh; the options'
+ * and less than it with one, whose values are encoded together with the mesh; twice the
  * SpillMemory; some 3 KiB and 50 bytes for each array and time step a chunk, most of it for the
  * groups of shared points; up to
  * 512 KiB for each component and step of arrays that have few different values; and the points that

@@ -9,6 +9,7 @@
 #include "gtnSettings.h"
 #include "gtnSpooledMesh.h"
 
+#include "gatunPartWriter.h"
 #include "vtkGatunWriter.h"
 
 #include <CLI/CLI.hpp>
@@ -28,13 +29,12 @@ namespace
 constexpr std::uint64_t ProgramMiB = 160;
 constexpr std::uint64_t Copies = 4;
 
-// For the boundaries of pieces, in MiB.
-constexpr std::uint64_t BoundaryMiB = 64;
-
 // What writing takes in MiB. pieceBytes: of the largest piece. moreBytes: of what stays.
 std::uint64_t NeededMiB(std::uint64_t pieceBytes, std::uint64_t moreBytes)
 {
-  return ProgramMiB + BoundaryMiB + ((Copies * pieceBytes + moreBytes) >> 20);
+  // The writer sorts the points on the boundaries of pieces, and then those that it joins.
+  const std::uint64_t spillBytes = 2 * gatun::PartWriterOptions().SpillMemory;
+  return ProgramMiB + ((spillBytes + Copies * pieceBytes + moreBytes) >> 20);
 }
 
 // Divides a mesh in one file.
@@ -104,11 +104,12 @@ void AddPieceOptions(CLI::App* command, PieceOptions& options)
   command
     ->add_option("--memory", options.Memory,
       "Limit of memory in MiB. The files of a .pvtu or .pvtp file, or of each time step of a .pvd "
-      "file, are "
-      "packed one after the other, and so are the blocks of a .vtm, .vtpc or Exodus file. A .vtu "
-      "file that is too large is divided into pieces on the disk first. The whole mesh is never in "
-      "memory. If that would take more than the limit, "
-      "nothing is done (default: none; all of the mesh is read)")
+      "file, are packed one after the other, and so are the blocks of a .vtm, .vtpc or Exodus "
+      "file. "
+      "A .vtu file that is too large is divided into pieces on the disk first. The whole mesh is "
+      "never in memory. If that would take more than the limit, nothing is done (default: none; "
+      "all "
+      "of the mesh is read)")
     ->check(CLI::Range(1, 1 << 30))
     ->option_text("MIB");
   command
