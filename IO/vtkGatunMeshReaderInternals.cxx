@@ -71,9 +71,10 @@ std::pair<std::size_t, std::size_t> FindRange(const gatun::FileReader& file, con
     "there is no array '" + std::string(name) + "' for the value range", file.GetPath());
 }
 
+/** Numbers that are none make a box that nothing touches. */
 bool HasBox(const double (&box)[6])
 {
-  return box[0] <= box[1] && box[2] <= box[3] && box[4] <= box[5];
+  return !(box[0] > box[1] || box[2] > box[3] || box[4] > box[5]);
 }
 
 //------------------------------------------------------------------------------

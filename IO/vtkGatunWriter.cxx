@@ -40,7 +40,8 @@
 #include <functional>
 #include <set>
 #include <stdexcept>
-#include <string_view>
+#include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -139,9 +140,7 @@ void vtkGatunWriter::SetArrayTolerance(const char* name, int kind, double value,
   std::erase_if(all, [name](const gatun::ArrayError& error) { return error.Array == name; });
   if (kind != TOLERANCE_NONE)
   {
-    // A kind out of range becomes one that is refused when the file is written.
-    const auto known = kind > 0 && kind <= TOLERANCE_BITS ? kind : TOLERANCE_BITS + 1;
-    all.push_back({ name, { static_cast<gatun::ErrorKind>(known), value, keepZeros } });
+    all.push_back({ name, { vtkInternals::ToErrorKind(kind), value, keepZeros } });
   }
   this->Modified();
 }
@@ -172,11 +171,19 @@ void vtkGatunWriter::SetLayers(const char* array, int component, int number, int
 {
   constexpr int mostComponents = 65535;
   constexpr int mostLayers = 4096;
-  this->LayerArray = array ? array : "";
-  this->LayerComponent = std::clamp(component, -1, mostComponents);
-  this->NumberOfLayers = std::clamp(number, 0, mostLayers);
-  this->LayerSpacing = std::clamp<int>(spacing, LAYERS_UNIFORM, LAYERS_HISTOGRAM);
-  this->Modified();
+  const std::string name = array ? array : "";
+  component = std::clamp(component, -1, mostComponents);
+  number = std::clamp(number, 0, mostLayers);
+  spacing = std::clamp<int>(spacing, LAYERS_UNIFORM, LAYERS_HISTOGRAM);
+  if (std::tie(name, component, number, spacing) !=
+    std::tie(this->LayerArray, this->LayerComponent, this->NumberOfLayers, this->LayerSpacing))
+  {
+    this->LayerArray = name;
+    this->LayerComponent = component;
+    this->NumberOfLayers = number;
+    this->LayerSpacing = spacing;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -93,7 +93,7 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkGatunWriter::vtkInternals::MakeGrid(vtkD
 //------------------------------------------------------------------------------
 gatun::ErrorBound vtkGatunWriter::vtkInternals::GetPointBound() const
 {
-  const gatun::ErrorBound bound{ static_cast<gatun::ErrorKind>(this->Owner->PointToleranceKind),
+  const gatun::ErrorBound bound{ ToErrorKind(this->Owner->PointToleranceKind),
     this->Owner->PointTolerance };
   gatun::CheckPointBound(bound);
   return bound;

@@ -63,6 +63,13 @@ public:
 
   // Begins the file once more, because the points of a step differ from those of the first one.
   void Restart();
+  // One that is refused when the file is written if there is no such kind.
+  static gatun::ErrorKind ToErrorKind(int kind)
+  {
+    return static_cast<gatun::ErrorKind>(
+      kind >= 0 && kind <= TOLERANCE_BITS ? kind : TOLERANCE_BITS + 1);
+  }
+
   gatun::ErrorBound GetPointBound() const;
   gatun::MergeTree BuildTree(vtkUnstructuredGrid* grid, bool isSurface);
   void PublishStatistics(

@@ -265,6 +265,10 @@ vtkSmartPointer<vtkDataArray> RoundArray(
 //------------------------------------------------------------------------------
 void CheckPointBound(const ErrorBound& bound)
 {
+  if (bound.KeepZeros)
+  {
+    ThrowInvalid("a tolerance of coordinates cannot keep zeros");
+  }
   const double value = bound.Bound;
   switch (bound.Kind)
   {

@@ -149,7 +149,10 @@ def _set_tolerances(writer, tolerances):
 
 def _set_point_tolerance(writer, tolerance):
     if tolerance is not None:
-        kind, value, _ = _parse_tolerance("point_tolerance", tolerance, ("abs", "rel", "bits"))
+        kinds = ("abs", "rel", "bits")
+        kind, value, keeps_zeros = _parse_tolerance("point_tolerance", tolerance, kinds)
+        if keeps_zeros:
+            raise ValueError("point_tolerance: coordinates cannot keep zeros")
         writer.SetPointTolerance(kind, value)
 
 

@@ -169,7 +169,7 @@ for option, most in (
 told, exact = packed_places()
 assert np.array_equal(exact, places) and "differ" not in told
 for wrong in ("abs:0", "abs:-1", "abs:nan", "abs:inf", "abs:", "abs", "bits:0", "bits:32", "bits:x",
-              "rel:0", "rel:1", "rel:x", "pw:0.1", "1e-3", ""):
+              "rel:0", "rel:1", "rel:x", "pw:0.1", "abs:1e-3,zeros", "1e-3", ""):
     gtn("pack", "--point-tolerance", wrong, "sphere.ply", "new.gtn", code=2)
 gtn("pack", "--pieces", 3, "--point-tolerance", "bits:9", "sphere.pvtp", "new.gtn", code=1,
     says="needs the bounds of the whole mesh")

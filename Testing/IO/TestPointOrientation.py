@@ -138,6 +138,6 @@ for kind, order in ((VTK_HEXAHEDRON, slice(None)), (VTK_VOXEL, [0, 1, 3, 2, 4, 5
 # Tolerances out of range, and of kinds that coordinates do not have.
 nan, inf = float("nan"), float("inf")
 for kind, values in {1: (0, -0.1, nan, inf), 2: (0, 1, -0.1, nan), 3: (0.1,), 4: (0, 32, 2.5, nan),
-                     5: (1,), -1: (1,)}.items():
+                     5: (1,), 257: (1e-9,), -1: (1e-9,), -255: (1e-9,)}.items():
     for value in values:
         refused(grid, PointTolerance=(kind, value))

@@ -80,6 +80,7 @@ refused = [
     (ValueError, "point_tolerance", {"point_tolerance": "small"}),
     (gatun.InputError, "tolerance of coordinates", {"point_tolerance": -1}),
     (gatun.InputError, "bits from 1 to 31", {"point_tolerance": "bits:40"}),
+    (ValueError, "cannot keep zeros", {"point_tolerance": "abs:1,zeros"}),
     (ValueError, "keep_order: 'x'", {"keep_order": "x"}),
     (ValueError, "the range is 0 to 64", {"levels": 65}),
     (gatun.InputError, "'x'", {"layers": "x"}),

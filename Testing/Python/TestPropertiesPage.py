@@ -19,8 +19,7 @@ import gatun
 sources, gtn = sys.argv[1:]
 problems = []
 
-# What no table has: it comes from a superclass, is an input, or is for ParaView's own use.
-IGNORED = {"Input", "InputConnection", "InputData", "Levels of mappers"}
+IGNORED = {"Input", "InputConnection", "InputData"}  # no properties
 # Tables whose objects have no single Get for a property.
 METHODS = {"PointArrayStatus", "CellArrayStatus", "ArrayTolerance", "PointTolerance", "ArrayWeight",
            "Layers", "Value", "NumberOfContours", "DetailPolicy"}

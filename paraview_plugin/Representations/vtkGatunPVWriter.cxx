@@ -87,7 +87,7 @@ void vtkGatunPVWriter::SetPointToleranceText(const char* text)
 {
   const std::string given = text && std::strcmp(text, "none") != 0 ? text : "";
   const auto bound = gatun::ParseBound(given);
-  if (!bound && !given.empty())
+  if (!given.empty() && (!bound || bound->KeepZeros))
   {
     vtkErrorMacro(<< "the tolerance of coordinates '" << given
                   << "' is none of abs:E, rel:E and bits:N");
