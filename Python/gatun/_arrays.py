@@ -7,13 +7,18 @@ from __future__ import annotations
 
 import collections.abc
 import dataclasses
-import functools
+import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkPoints
+from vtkmodules.util.numpy_support import (
+    get_vtk_array_type,
+    numpy_to_vtk,
+    numpy_to_vtkIdTypeArray,
+    vtk_to_numpy,
+)
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkDataArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
     vtkCellTypes,
@@ -95,31 +100,61 @@ class Mesh:
 # To VTK
 
 
+def _fill_masked(values, name):
+    """The values of an array without its mask, which no array of VTK has."""
+    if not isinstance(values, np.ma.MaskedArray):
+        return values
+    masked = np.ma.count_masked(values)
+    if not masked:
+        return values.data
+    if values.dtype.kind != "f":
+        raise ValueError(
+            f"{name}: has {masked} masked values, and {values.dtype} has no NaN for them; use filled()"
+        )
+    warnings.warn(f"{name}: {masked} masked values become NaN", stacklevel=4)
+    return values.filled(np.nan)
+
+
 def _to_vtk(values, name):
-    """A VTK array of the values, which it shares if they are contiguous."""
-    array = np.ascontiguousarray(values)
-    if array.dtype == bool:
-        array = array.view(np.uint8)
-    if array.dtype.byteorder == ">":
-        array = array.astype(array.dtype.newbyteorder("="))
-    if array.dtype.kind not in "iuf" or array.dtype.itemsize > 8 or array.dtype == np.float16:
+    """A VTK array with a copy of the values.
+
+    VTK allocates the memory: arrays of VTK share theirs with shallow copies, which would outlive an array of
+    NumPy.
+    """
+    array = _fill_masked(np.asanyarray(values), name)
+    kind = np.dtype(np.uint8) if array.dtype == bool else array.dtype.newbyteorder("=")
+    if kind.kind not in "iuf" or kind.itemsize > 8 or kind == np.float16:
         raise ValueError(f"{name}: arrays of type {array.dtype} are not supported")
-    result = numpy_to_vtk(array.reshape(len(array), -1) if array.ndim > 2 else array)
-    # VTK would keep the memory by an attribute of the Python object. VTK 9.1 damages its list of
-    # such objects where the memory belongs to an array of VTK in turn. An observer keeps it, too.
-    result.__dict__.pop("_numpy_reference", None)
-    result.AddObserver("UserEvent", functools.partial(_keep, array))
+    if 0 in array.shape[1:]:
+        raise ValueError(f"{name}: has no values in a row")
+    result = vtkDataArray.CreateDataArray(get_vtk_array_type(kind))
     result.SetName(name)
+    result.SetNumberOfComponents(int(np.prod(array.shape[1:])))
+    result.SetNumberOfTuples(len(array))
+    if array.size:
+        vtk_to_numpy(result).reshape(array.shape)[...] = array
     return result
 
 
-def _keep(_array, _caller, _event):
-    """Does nothing; an observer of it keeps an array."""
+def _to_field(values, name):
+    """An array of field data, of numbers or of texts."""
+    if isinstance(values, str):
+        values = [values]
+    values = np.atleast_1d(values)
+    if values.dtype.kind != "U":
+        return _to_vtk(values, name)
+    result = vtkStringArray()
+    result.SetName(name)
+    result.SetNumberOfComponents(int(np.prod(values.shape[1:])))
+    result.SetNumberOfTuples(len(values))
+    for i, text in enumerate(values.ravel()):
+        result.SetValue(i, str(text))
+    return result
 
 
 def _add_arrays(attributes, arrays, count, what):
     for name, values in (arrays or {}).items():
-        values = np.asarray(values)
+        values = np.asanyarray(values)
         if values.ndim == 0 or len(values) != count:
             there = len(values) if values.ndim else "no"
             raise ValueError(f"{what} {name!r}: has {there} values for {count} of them")
@@ -131,9 +166,9 @@ def _join_blocks(cell_data, sizes):
     joined = {}
     for name, values in (cell_data or {}).items():
         if isinstance(values, (list, tuple)) and len(values) == len(sizes):
-            parts = [np.asarray(part) for part in values]
+            parts = [np.asanyarray(part) for part in values]
             if all(part.ndim and len(part) == size for part, size in zip(parts, sizes)):
-                values = np.concatenate(parts) if parts else np.empty(0)
+                values = np.ma.concatenate(parts) if parts else np.empty(0)
         joined[name] = values
     return joined
 
@@ -225,7 +260,7 @@ def from_numpy(
     *,
     point_data: Mapping[str, ArrayLike] | None = None,
     cell_data: Mapping[str, ArrayLike | Sequence[ArrayLike]] | None = None,
-    field_data: Mapping[str, ArrayLike] | None = None,
+    field_data: Mapping[str, ArrayLike | str] | None = None,
     surface: bool = False,
 ) -> vtkUnstructuredGrid | vtkPolyData:
     """Makes a mesh of VTK from NumPy arrays.
@@ -238,12 +273,12 @@ def from_numpy(
         point_data: arrays of n values or rows by name.
         cell_data: arrays by name, over all cells in the order of ``cells``, or lists with an array
             for each block of ``cells``.
-        field_data: other arrays by name.
+        field_data: other arrays, texts and lists of texts by name.
         surface: whether to make a vtkPolyData, of vertices, lines, triangles, quadrilaterals,
             polygons and strips, in this order, in place of a vtkUnstructuredGrid.
 
     Returns:
-        The mesh. It shares the memory of contiguous points and data; connectivity is copied.
+        The mesh, with copies of all arrays. Masked values of floats become NaN, with a warning.
 
     Raises:
         ValueError: arrays that do not fit together.
@@ -265,21 +300,8 @@ def from_numpy(
     _add_arrays(mesh.GetPointData(), point_data, len(points), "point_data")
     _add_arrays(mesh.GetCellData(), _join_blocks(cell_data, sizes), sum(sizes), "cell_data")
     for name, values in (field_data or {}).items():
-        mesh.GetFieldData().AddArray(_to_vtk(np.atleast_1d(values), name))
+        mesh.GetFieldData().AddArray(_to_field(values, name))
     return mesh
-
-
-def from_meshio(mesh: Any) -> vtkUnstructuredGrid:
-    """Makes a vtkUnstructuredGrid from a ``meshio.Mesh``, a ``gatun.Mesh`` or an object like them.
-
-    The object has the members ``points``, ``cells``, ``point_data`` and ``cell_data``; see ``from_numpy``.
-    """
-    return from_numpy(
-        mesh.points,
-        mesh.cells,
-        point_data=mesh.point_data,
-        cell_data=mesh.cell_data,
-    )
 
 
 def image_from_numpy(
@@ -298,7 +320,7 @@ def image_from_numpy(
         name: the name of the point array.
 
     Returns:
-        The volume. It shares the memory of a contiguous array.
+        The volume, with a copy of the array.
     """
     values = np.asarray(values)
     if values.ndim != 3:
@@ -315,12 +337,22 @@ def image_from_numpy(
 # From VTK
 
 
+def _to_array(array):
+    """An array of VTK as one of NumPy, of numbers or of texts."""
+    if isinstance(array, vtkDataArray):
+        return vtk_to_numpy(array)
+    texts = np.array([str(array.GetValue(i)) for i in range(array.GetNumberOfValues())], str)
+    return texts.reshape(-1, array.GetNumberOfComponents()) if array.GetNumberOfComponents() > 1 else texts
+
+
 def _get_arrays(attributes, count):
     arrays = {}
     for i in range(attributes.GetNumberOfArrays()):
-        array = attributes.GetArray(i)
-        if array is not None and array.GetNumberOfTuples() == count:
-            arrays[array.GetName() or f"array {i}"] = vtk_to_numpy(array)
+        array = attributes.GetAbstractArray(i)
+        name = array.GetName() or f"array {i}"
+        if array.GetNumberOfTuples() != count:
+            raise ValueError(f"{name}: has {array.GetNumberOfTuples()} values for {count} of them")
+        arrays[name] = _to_array(array)
     return arrays
 
 
@@ -328,15 +360,12 @@ def _get_field_data(data):
     arrays = {}
     for i in range(data.GetNumberOfArrays()):
         array = data.GetAbstractArray(i)
-        name = array.GetName() or f"array {i}"
-        if data.GetArray(i) is not None:
-            arrays[name] = vtk_to_numpy(array)
-        else:
-            arrays[name] = [str(array.GetValue(j)) for j in range(array.GetNumberOfValues())]
+        values = _to_array(array)
+        arrays[array.GetName() or f"array {i}"] = values if isinstance(array, vtkDataArray) else values.tolist()
     return arrays
 
 
-def _get_cell_lists(mesh):
+def get_cell_lists(mesh):
     """Pairs of the types of some cells and their vtkCellArray, in the order of the cells."""
     if isinstance(mesh, vtkUnstructuredGrid):
         types = mesh.GetCellTypesArray()
@@ -356,7 +385,7 @@ def _make_blocks(mesh):
     """Blocks of cells of one type and size, and the ids of the cells of each."""
     blocks = []
     first = 0
-    for types, cells in _get_cell_lists(mesh):
+    for types, cells in get_cell_lists(mesh):
         if np.any(types == _POLYHEDRON):
             raise ValueError("polyhedra have no fixed number of points, and no array holds them")
         offsets = vtk_to_numpy(cells.GetOffsetsArray())
@@ -403,18 +432,6 @@ def to_numpy(mesh: vtkUnstructuredGrid | vtkPolyData) -> Mesh:
         },
         field_data=_get_field_data(mesh.GetFieldData()),
     )
-
-
-def to_meshio(mesh: vtkUnstructuredGrid | vtkPolyData) -> Any:
-    """Returns a vtkUnstructuredGrid or vtkPolyData as a ``meshio.Mesh``.
-
-    Raises:
-        ImportError: meshio is not installed.
-    """
-    import meshio  # an optional package
-
-    arrays = to_numpy(mesh)
-    return meshio.Mesh(arrays.points, arrays.cells, arrays.point_data, arrays.cell_data)
 
 
 def image_to_numpy(image: vtkImageData, name: str | None = None) -> np.ndarray:
