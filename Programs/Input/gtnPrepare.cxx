@@ -20,6 +20,7 @@
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkErrorCode.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -27,6 +28,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <fmt/core.h>
@@ -75,10 +77,24 @@ void MakePointsReal(vtkUnstructuredGrid* grid)
   grid->SetPoints(real);
 }
 
+// Points of the grid have the type of those of the data. Origin and spacing of an image are double,
+// and so are points of coordinates along the axes that are not float.
+int FindPrecision(vtkDataSet* data)
+{
+  const auto isFloat = [](vtkDataArray* axis) { return axis && axis->GetDataType() == VTK_FLOAT; };
+  auto* const rectilinear = vtkRectilinearGrid::SafeDownCast(data);
+  const bool areFloat = rectilinear && isFloat(rectilinear->GetXCoordinates()) &&
+    isFloat(rectilinear->GetYCoordinates()) && isFloat(rectilinear->GetZCoordinates());
+  return (rectilinear && !areFloat) || vtkImageData::SafeDownCast(data)
+    ? vtkAlgorithm::DOUBLE_PRECISION
+    : vtkAlgorithm::DEFAULT_PRECISION;
+}
+
 vtkSmartPointer<vtkUnstructuredGrid> ToUnstructured(vtkDataSet* data)
 {
   vtkNew<vtkAppendFilter> append;
   append->AddInputData(data);
+  append->SetOutputPointsPrecision(FindPrecision(data));
   append->Update();
   return append->GetOutput();
 }
