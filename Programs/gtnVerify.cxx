@@ -15,11 +15,13 @@
 #include "gtnReadable.h"
 #include "gtnText.h"
 
+#include "gatunBlockArrays.h"
 #include "gatunFileReader.h"
 #include "gatunSurfaceGrid.h"
 #include "gatunVerifyFile.h"
 
 #include "vtkDataObject.h"
+#include "vtkFieldData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
@@ -73,10 +75,20 @@ std::string CompareData(
   return comparison.Compare(GridView(first), GridView(second), *place.Mesh, place.Step);
 }
 
+// Whether a file has what 'gtn pack' tells of blocks; the files of a mesh in pieces are none.
+bool HasBlocks(Input& packed, const Settings& settings)
+{
+  Progress progress("reading", settings.ShowProgress);
+  vtkFieldData* const field = packed.Read(0, progress)->GetFieldData();
+  return field->HasArray(gatun::BlockNamesName);
+}
+
 void CompareWithOriginals(const VerifyOptions& options, const Settings& settings, FileSteps& file)
 {
-  Input original(options.Originals, options.Input);
   Input packed({ options.File }, options.Input);
+  InputOptions asPacked = options.Input;
+  asPacked.InPieces = !HasBlocks(packed, settings);
+  Input original(options.Originals, asPacked);
   const auto [nameOfPacked, nameOfOriginal] = ShortNames(options.File, original.GetName());
 
   const std::vector<double>& times = original.GetTimes();
@@ -89,6 +101,10 @@ void CompareWithOriginals(const VerifyOptions& options, const Settings& settings
       fmt::format("differs: {} time steps, not {} as {}", packedSteps, steps, nameOfOriginal));
   }
   Comparison comparison(nameOfPacked, nameOfOriginal, file.GetFile().GetKeptOrder());
+  if (original.IsInFiles())
+  {
+    comparison.AllowJoined();
+  }
   BoundedComparison bounded(comparison);
   for (std::size_t step = 0; step < steps; ++step)
   {
@@ -116,15 +132,20 @@ void CompareWithOriginals(const VerifyOptions& options, const Settings& settings
   if (!settings.Quiet)
   {
     const std::size_t alike = comparison.GetIndistinguishablePoints();
+    const std::size_t joined = comparison.GetJoinedPoints();
+    const std::string joins = joined > 0
+      ? fmt::format(" but for {} points that its files have in common and that are joined",
+          GroupDigits(joined))
+      : "";
     const std::string errors = bounded.HasBounds()
       ? fmt::format(" but for bounded errors, of which the largest is {:.6f} of its bound",
           bounded.GetWorst())
       : "";
-    fmt::print("{}: identical to {}{}{}{}{}\n", options.File, original.GetName(),
+    fmt::print("{}: identical to {}{}{}{}{}{}\n", options.File, original.GetName(),
       options.Originals.size() > 1 ? fmt::format(" and {} more", options.Originals.size() - 1) : "",
       steps > 1 ? fmt::format(", {} time steps", steps) : "",
       alike > 0 ? fmt::format(", up to {} indistinguishable points", GroupDigits(alike)) : "",
-      errors);
+      joins, errors);
   }
 }
 
@@ -193,6 +214,7 @@ void AddVerify(CLI::App& app, Settings& settings)
     "  gtn verify mesh.gtn mesh.vtu\n"
     "  gtn verify run.gtn run_0.vtu run_1.vtu run_2.vtu");
   AddArrays(command, options->Input, "Compare only these point and cell arrays");
+  AddSkipMissing(command, options->Input);
   AddSets(command, options->Input);
   command->add_flag("--split-cells", options->Input.Split,
     "Split the cells of ORIGINAL, which was packed with --split-cells");

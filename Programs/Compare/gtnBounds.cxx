@@ -122,6 +122,12 @@ std::string BoundedComparison::CheckArray(
     const auto rounding = mesh.GetRounding(pair.Array, c, step);
     const auto packed = ReadKeys(pair.Packed, array.Type, c);
     const auto original = ReadKeys(pair.Original, array.Type, c);
+    if (packed.size() != original.size())
+    {
+      return pair.Packed.Title +
+        " has errors, and points were joined; pack the file with --keep-apart "
+        "to compare them";
+    }
     const auto first = Order(this->Others.GetFirst(ofPoints), packed);
     const auto second = Order(this->Others.GetSecond(ofPoints), original);
     bool isRounded = false;

@@ -106,6 +106,15 @@ std::vector<Hash> Missing(const std::vector<Hash>& hashes, const std::vector<Has
   return missing;
 }
 
+// Whether all elements of two sorted sets are in the other, but in the first one not as often.
+bool IsJoined(const std::vector<Hash>& first, const std::vector<Hash>& second)
+{
+  std::vector<Hash> distinct;
+  std::unique_copy(second.begin(), second.end(), std::back_inserter(distinct));
+  return std::includes(second.begin(), second.end(), first.begin(), first.end()) &&
+    std::includes(first.begin(), first.end(), distinct.begin(), distinct.end());
+}
+
 // The property in which two sets differ, an element of the second that shows it, and an element of
 // the first that is like it in the properties before.
 struct Mismatch
@@ -119,8 +128,9 @@ using Property = std::function<void(std::vector<Hash>&)>;
 
 // Adds properties to the hashes of two sets, and compares the sets. Only if they differ, this is
 // done again, property by property.
+// isJoined: equal elements of the second set may be fewer in the first one.
 std::optional<Mismatch> CompareSets(std::vector<Hash>& first, std::vector<Hash>& second,
-  const std::vector<std::pair<Property, Property>>& properties)
+  const std::vector<std::pair<Property, Property>>& properties, bool isJoined = false)
 {
   std::vector<Hash> a = first;
   std::vector<Hash> b = second;
@@ -131,7 +141,7 @@ std::optional<Mismatch> CompareSets(std::vector<Hash>& first, std::vector<Hash>&
   }
   std::swap(a, first);
   std::swap(b, second);
-  if (Sorted(first) == Sorted(second))
+  if (isJoined ? IsJoined(Sorted(first), Sorted(second)) : Sorted(first) == Sorted(second))
   {
     return {};
   }
@@ -141,10 +151,20 @@ std::optional<Mismatch> CompareSets(std::vector<Hash>& first, std::vector<Hash>&
     const std::vector<Hash> beforeB = b;
     properties[property].first(a);
     properties[property].second(b);
-    const std::vector<Hash> lost = Missing(b, a);
-    if (lost.empty())
+    std::vector<Hash> lost = Missing(b, a);
+    if (isJoined)
+    {
+      const std::vector<Hash> sorted = Sorted(a);
+      std::erase_if(lost,
+        [&](const Hash& hash) { return std::binary_search(sorted.begin(), sorted.end(), hash); });
+    }
+    if (lost.empty() && property + 1 < properties.size())
     {
       continue;
+    }
+    if (lost.empty()) // the first set has elements more often
+    {
+      return Mismatch{ 0, 0, 0 };
     }
     const auto isIn = [](const std::vector<Hash>& sorted, const Hash& hash)
     { return std::binary_search(sorted.begin(), sorted.end(), hash); };
@@ -217,7 +237,7 @@ std::string Comparison::CompareOutlines(const GridView& first, const GridView& s
 {
   const std::string& a = this->First.Name;
   const std::string& b = this->Second.Name;
-  if (first.Points != second.Points)
+  if (first.Points != second.Points && !(this->MayBeJoined && first.Points < second.Points))
   {
     return fmt::format("{} has {} points, {} has {}", a, first.Points, b, second.Points);
   }
@@ -234,6 +254,11 @@ std::string Comparison::CompareOutlines(const GridView& first, const GridView& s
 std::string Comparison::Compare(const GridView& first, const GridView& second)
 {
   std::string difference = this->CompareOutlines(first, second);
+  if (difference.empty() && first.Points < second.Points)
+  {
+    this->JoinedPoints = second.Points - first.Points;
+    this->Kept &= static_cast<std::uint8_t>(~(gatun::KeepPoints | gatun::KeepCorners));
+  }
   if (difference.empty())
   {
     difference = this->CompareArrays(
@@ -391,9 +416,10 @@ std::string Comparison::ComparePoints(const GridView& first, const GridView& sec
     this->First.Points = Numbered(first.Points, isKept);
     this->Second.Points = Numbered(second.Points, isKept);
   }
-  const auto mismatch = isKept ? std::nullopt
-                               : CompareSets(this->First.Points, this->Second.Points,
-                                   PropertiesOf(first.PointArrays, second.PointArrays));
+  const auto mismatch = isKept
+    ? std::nullopt
+    : CompareSets(this->First.Points, this->Second.Points,
+        PropertiesOf(first.PointArrays, second.PointArrays), this->JoinedPoints > 0);
   if (!mismatch)
   {
     return {};

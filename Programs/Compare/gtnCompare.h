@@ -32,6 +32,14 @@ public:
   /** Takes the names of the grids, for messages. */
   Comparison(std::string first, std::string second, std::uint8_t keptOrder);
 
+  /** Lets the first grid have fewer points than the second one, whose points with the same
+   * coordinates and values may have been joined: then every point of one grid is in the other, but
+   * in the first one less often. The order of the points does not matter then. */
+  void AllowJoined() { this->MayBeJoined = true; }
+
+  /** Returns by how many points the second grid of the last step has more. */
+  std::size_t GetJoinedPoints() const { return this->JoinedPoints; }
+
   /** Compares the numbers of points and cells and the kinds of arrays in their order. Returns a
    * description of the first difference, or an empty string. */
   std::string CompareOutlines(const GridView& first, const GridView& second) const;
@@ -72,6 +80,8 @@ private:
   Side First;
   Side Second;
   std::uint8_t Kept;
+  bool MayBeJoined = false;
+  std::size_t JoinedPoints = 0;
 };
 }
 

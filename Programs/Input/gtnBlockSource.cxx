@@ -5,6 +5,7 @@
 
 #include "gtnFailure.h"
 #include "gtnMessages.h"
+#include "gtnPartReader.h"
 #include "gtnPrepare.h"
 #include "gtnReadable.h"
 #include "gtnReaders.h"
@@ -14,7 +15,6 @@
 #include "gatunCellInput.h"
 #include "gatunError.h"
 #include "vtkGatunMergeBlocks.h"
-#include "vtkGatunWriter.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
@@ -38,10 +38,8 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkXMLGenericDataObjectReader.h"
 
 #include <algorithm>
 #include <exception>
@@ -76,7 +74,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
 {
   if (!vtkDataSet::SafeDownCast(data))
   {
-    throw Failure(file, "does not hold a mesh");
+    SayOnce(file, std::string("holds ") + data->GetClassName() + ", which is left out", quiet);
+    return vtkSmartPointer<vtkUnstructuredGrid>::New();
   }
   vtkNew<vtkGatunMergeBlocks> merge;
   merge->SetInputDataObject(data);
@@ -211,19 +210,10 @@ void MarkForms(vtkUnstructuredGrid* grid, const std::vector<FormPlace>& forms, b
 }
 
 /** Tells which points are joined with those of other blocks: as vtkGatunMergeBlocks does. */
-void AddJoinArray(vtkUnstructuredGrid* grid, bool hasGlobalIds)
+void MarkJoins(vtkUnstructuredGrid* grid, bool hasGlobalIds)
 {
-  vtkNew<vtkTypeInt64Array> numbers;
-  numbers->SetNumberOfValues(grid->GetNumberOfPoints());
-  numbers->FillValue(-1);
   vtkDataArray* ids = grid->GetPointData()->GetGlobalIds();
-  if (ids && hasGlobalIds)
-  {
-    numbers->DeepCopy(ids);
-  }
-  numbers->SetName(JoinArrayName);
-  numbers->GetInformation()->Set(vtkGatunWriter::JOIN_POINTS(), 1);
-  grid->GetPointData()->AddArray(numbers);
+  AddJoinArray(grid, ids && hasGlobalIds ? ids : nullptr);
 }
 
 } // anonymous namespace
@@ -239,12 +229,12 @@ void BlockSource::SetSteps(
   const std::vector<SeriesStep>& steps, const InputOptions& options, bool hasTime)
 {
   this->Steps = steps;
-  this->SetOptions(options);
+  this->Options = options;
   this->Times = hasTime ? TimesOf(steps) : std::vector<double>();
   this->Surveys.clear();
   for (const SeriesStep& step : steps)
   {
-    this->Surveys.emplace_back().Blocks = ReadBlockList(step.Files.front());
+    this->Surveys.emplace_back().Blocks = ReadBlockList(step.Files.front(), options);
   }
   this->Modified();
 }
@@ -252,7 +242,7 @@ void BlockSource::SetSteps(
 //------------------------------------------------------------------------------
 void BlockSource::SetExodus(const std::string& file, const InputOptions& options)
 {
-  this->SetOptions(options);
+  this->Options = options;
   this->IsOneFile = true;
   const std::size_t count = CountExodusBlocks(file, options.Sets);
   if (count == 0)
@@ -275,13 +265,6 @@ void BlockSource::SetExodus(const std::string& file, const InputOptions& options
 }
 
 //------------------------------------------------------------------------------
-void BlockSource::SetOptions(const InputOptions& options)
-{
-  this->Options = options;
-  this->Options.Arrays.emplace_back(JoinArrayName);
-}
-
-//------------------------------------------------------------------------------
 int BlockSource::RequestInformation(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
@@ -301,13 +284,14 @@ int BlockSource::RequestData(vtkInformation* vtkNotUsed(request),
   try
   {
     const Survey& survey = this->GetSurvey(step);
-    if (!survey.IsDone)
+    const auto pieces =
+      static_cast<std::size_t>(std::max(1, info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())));
+    const auto piece = static_cast<std::size_t>(info->Get(Pipeline::UPDATE_PIECE_NUMBER()));
+    const std::size_t count = survey.Blocks.Files.size();
+    if (!survey.IsDone && (pieces > 1 || this->IsOneFile))
     {
       this->SurveyStep(step);
     }
-    const auto pieces = static_cast<std::size_t>(info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
-    const auto piece = static_cast<std::size_t>(info->Get(Pipeline::UPDATE_PIECE_NUMBER()));
-    const std::size_t count = survey.Blocks.Files.size();
     this->Read(step, piece * count / pieces, (piece + 1) * count / pieces, output);
   }
   catch (const std::exception& error)
@@ -337,12 +321,7 @@ BlockSource::Block BlockSource::ReadBlock(std::size_t step, std::size_t number)
   const bool quiet = this->Options.Quiet;
   if (!this->IsOneFile)
   {
-    CheckReadable(file);
-    vtkNew<vtkXMLGenericDataObjectReader> reader;
-    reader->SetFileName(file.c_str());
-    reader->Update();
-    CheckMessages(file, quiet);
-    return { MakeGrid(reader->GetOutputDataObject(0), file, quiet), {} };
+    return { MakeGrid(ReadPart(file, {}, this->Options), file, quiet), {} };
   }
   const auto reader = MakeExodusReader(file, this->Options.Sets, number);
   if (this->Times.empty())
@@ -438,14 +417,16 @@ void BlockSource::Read(
     throw Failure("cannot be merged");
   }
   vtkWarningMacro(<< survey.Blocks.Files.size() << " blocks were merged into one grid");
+  InputOptions options = this->Options;
   vtkNew<vtkUnstructuredGrid> merged;
   merged->ShallowCopy(merge->GetOutput());
   if (last - first < survey.Blocks.Files.size())
   {
-    AddJoinArray(merged, survey.HasGlobalIds);
+    MarkJoins(merged, survey.HasGlobalIds);
+    options.Arrays.emplace_back(JoinArrayName);
+    MarkForms(merged, forms, survey.HasGlobalIds);
   }
-  MarkForms(merged, forms, survey.HasGlobalIds);
-  Preparer::Prepare(merged, this->Options, output);
+  Preparer::Prepare(merged, options, output);
   CheckMessages(this->IsOneFile ? survey.Blocks.Files.front() : this->Steps[step].Files.front(),
     this->Options.Quiet);
 }

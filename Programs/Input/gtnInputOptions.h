@@ -19,6 +19,8 @@ struct InputOptions
   bool SurfacesToo = false;        ///< with VolumesOnly: surfaces matter, too
   bool Sets = false;               ///< also side sets, node sets, patches, boundaries
   bool InPieces = false;           ///< the files of a .pvtu or .pvd file are read one by one
+  bool SkipMissing = false;        ///< go on without files that a list names and that are missing
+  bool KeepApart = false;          ///< with InPieces: do not join points of different files
   bool Quiet = false;              ///< no warnings
 };
 }

@@ -10,6 +10,7 @@
 #include "gtnObj.h"
 #include "gtnReadable.h"
 #include "gtnText.h"
+#include "gtnXMLPieces.h"
 
 #include "gatunFileReader.h"
 #include "vtkGatunHartleyReader.h"
@@ -31,8 +32,6 @@
 #include "vtkXMLGenericDataObjectReader.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLPartitionedDataSetCollectionReader.h"
-#include "vtkXMLPolyDataReader.h"
-#include "vtkXMLUnstructuredGridReader.h"
 
 #include <algorithm>
 #include <fstream>
@@ -181,10 +180,9 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
   }
   if (extension == ".vtu")
   {
-    return Make<vtkXMLUnstructuredGridReader>(file);
+    return Make<XMLGridReader>(file);
   }
-  if (IsOneOf(extension,
-        { ".pvtu", ".pvtp", ".vtm", ".vtmb", ".vti", ".vts", ".vtr", ".pvti", ".pvts", ".pvtr" }))
+  if (IsOneOf(extension, { ".vtm", ".vtmb", ".vti", ".vts", ".vtr", ".pvti", ".pvts", ".pvtr" }))
   {
     return Make<vtkXMLGenericDataObjectReader>(file);
   }
@@ -345,7 +343,7 @@ vtkSmartPointer<vtkAlgorithm> MakeSurfaceReader(const std::string& file)
   }
   if (extension == ".vtp")
   {
-    return Make<vtkXMLPolyDataReader>(file);
+    return Make<XMLSurfaceReader>(file);
   }
   if (extension == ".vtk")
   {

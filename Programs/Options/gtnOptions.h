@@ -19,6 +19,9 @@ void AddForce(CLI::App* command, bool& overwrite);
 void AddArrays(CLI::App* command, InputOptions& input,
   const std::string& description = "Only these point and cell arrays (default: all)");
 
+/** --skip-missing: whether files that a list names may be missing. */
+void AddSkipMissing(CLI::App* command, InputOptions& input);
+
 /** --sets: whether the side sets and node sets of an Exodus file are wanted. */
 void AddSets(CLI::App* command, InputOptions& input);
 }

@@ -7,6 +7,7 @@
 #include "gtnMessages.h"
 #include "gtnReadable.h"
 #include "gtnText.h"
+#include "gtnXMLPieces.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellData.h"
@@ -31,7 +32,7 @@
 namespace gtn
 {
 /** Reads everything but the points, cells and values. Gives the elements of the file. */
-class XMLHeaderReader : public vtkXMLUnstructuredGridReader
+class XMLHeaderReader : public XMLPieceReader<vtkXMLUnstructuredGridReader>
 {
 public:
   static XMLHeaderReader* New();
