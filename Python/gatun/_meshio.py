@@ -14,12 +14,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._arrays import from_numpy, to_numpy
+from ._errors import warn
 
 if TYPE_CHECKING:
     from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
 _POINT_SETS = "PointSets"
 _CELL_SETS = "CellSets"
+# These numbers are not those of cells, but of entities of Gmsh's model.
+_NO_SETS = ("gmsh:bounding_entities",)
 
 
 def _mark(members, count, what):
@@ -67,8 +70,15 @@ def from_meshio(mesh: Any) -> vtkUnstructuredGrid:
             raise ValueError(f"cell set {name!r}: has {len(members)} blocks, and the mesh has {len(sizes)}")
         return [_mark(part, size, f"cell set {name!r}") for part, size in zip(members, sizes)]
 
-    _add_sets(getattr(mesh, "point_sets", None) or {}, _POINT_SETS, point_data, field_data, mark_points)
-    _add_sets(getattr(mesh, "cell_sets", None) or {}, _CELL_SETS, cell_data, field_data, mark_cells)
+    point_sets = getattr(mesh, "point_sets", None) or {}
+    cell_sets = dict(getattr(mesh, "cell_sets", None) or {})
+    for name in _NO_SETS:
+        if cell_sets.pop(name, None) is not None:
+            warn(f"cell set {name!r} is left out: it has numbers of Gmsh's entities, not of cells")
+    if getattr(mesh, "gmsh_periodic", None):
+        warn("gmsh_periodic is left out: a mesh of VTK has nothing for it")
+    _add_sets(point_sets, _POINT_SETS, point_data, field_data, mark_points)
+    _add_sets(cell_sets, _CELL_SETS, cell_data, field_data, mark_cells)
     return from_numpy(
         mesh.points, mesh.cells, point_data=point_data, cell_data=cell_data, field_data=field_data
     )

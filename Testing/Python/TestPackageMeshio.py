@@ -4,6 +4,7 @@
 """Sets and field data of a mesh of meshio come back from a .gtn file."""
 
 import os
+import warnings
 
 import gatun
 import meshio
@@ -53,6 +54,18 @@ grid = gatun.from_meshio(make())
 assert grid.GetPointData().GetArray("inlet").GetValue(3) == 1
 again = gatun.from_meshio(gatun.to_numpy(grid))
 assert set(gatun.to_meshio(again).point_sets) == {"inlet", "none", "w\u00e4nde, 2"}
+
+# Numbers that are not those of cells are left out, with a warning.
+with warnings.catch_warnings(record=True) as caught:
+    warnings.simplefilter("always")
+    other = make(cell_sets={"gmsh:bounding_entities": [np.array([-7, 900])] * 3, "wall": [[1], None, []]})
+    other.gmsh_periodic = [[1, 2]]
+    grid = gatun.from_meshio(other)
+assert [str(w.message).split(" is left out")[0] for w in caught] == [
+    "cell set 'gmsh:bounding_entities'",
+    "gmsh_periodic",
+], caught
+assert list(gatun.to_meshio(grid).cell_sets) == ["wall"]
 
 require_raises(ValueError, "'x' is the name of an array", gatun.from_meshio, make(point_sets={"x": [1]}))
 require_raises(ValueError, "point set 'p': has to be numbers", gatun.from_meshio, make(point_sets={"p": [64]}))
