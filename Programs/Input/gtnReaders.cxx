@@ -138,12 +138,22 @@ void CheckIsCGNS(const std::string& file)
   }
 }
 
+// VTK 9.6 never decomposes polyhedra.
+template <typename Reader>
+void KeepPolyhedra(Reader* reader)
+{
+  if constexpr (requires { reader->DecomposePolyhedraOff(); })
+  {
+    reader->DecomposePolyhedraOff();
+  }
+}
+
 // The file is empty; the case is in the folder around it.
 vtkSmartPointer<vtkAlgorithm> MakeOpenFOAM(const std::string& file, bool sets)
 {
   vtkNew<vtkOpenFOAMReader> reader;
   reader->SetFileName(file.c_str());
-  reader->DecomposePolyhedraOff();
+  KeepPolyhedra(reader.Get());
   reader->CreateCellToPointOff();
   reader->CacheMeshOff();
   reader->UpdateInformation();

@@ -288,6 +288,13 @@ void XMLMesh::OpenPiece(int number)
       this->WideIds = this->WideIds || vtkDataArray::GetDataTypeSize(array->GetType()) == 8;
     }
   }
+  if (piece.Cells > 0 && FindArray(cells, "face_connectivity"))
+  {
+    // Without them, polyhedra would be taken for cells without faces.
+    throw Failure(this->File,
+      "has polyhedra as VTK 9.4 and later write them (face_connectivity), "
+      "which cannot be read in pieces");
+  }
   if (piece.Cells > 0 && FindArray(cells, "faces") && FindArray(cells, "faceoffsets"))
   {
     piece.Faces = this->OpenArray(cells, "faces", 0);

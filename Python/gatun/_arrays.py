@@ -16,11 +16,15 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray,
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
-    vtkCellTypes,
     vtkImageData,
     vtkPolyData,
     vtkUnstructuredGrid,
 )
+
+try:
+    from vtkmodules.vtkCommonDataModel import vtkCellTypeUtilities as _cell_types
+except ImportError:  # before VTK 9.6
+    from vtkmodules.vtkCommonDataModel import vtkCellTypes as _cell_types
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -339,8 +343,9 @@ def _get_field_data(data):
 def _get_cell_lists(mesh):
     """Pairs of the types of some cells and their vtkCellArray, in the order of the cells."""
     if isinstance(mesh, vtkUnstructuredGrid):
-        types = mesh.GetCellTypesArray()
-        return [(vtk_to_numpy(types), mesh.GetCells())] if mesh.GetNumberOfCells() else []
+        # Since VTK 9.6, types may be a vtkConstantArray, for which GetCellTypesArray returns None.
+        types = mesh.GetCellTypes if hasattr(mesh, "GetDistinctCellTypes") else mesh.GetCellTypesArray
+        return [(vtk_to_numpy(types()), mesh.GetCells())] if mesh.GetNumberOfCells() else []
     types = np.fromiter(map(mesh.GetCellType, range(mesh.GetNumberOfCells())), np.uint8)
     lists = []
     first = 0
@@ -372,7 +377,7 @@ def _make_blocks(mesh):
                 corners = ids.reshape(-1, size)
             else:
                 corners = ids[offsets[chosen][:, None] + np.arange(size)]
-            name = _NAMES.get(number, vtkCellTypes.GetClassNameFromTypeId(int(number)))
+            name = _NAMES.get(number, _cell_types.GetClassNameFromTypeId(int(number)))
             blocks.append((name, corners, first + chosen))
         first += len(types)
     return blocks
