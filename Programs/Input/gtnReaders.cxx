@@ -5,6 +5,7 @@
 
 #include "gtnFailure.h"
 #include "gtnFormats.h"
+#include "gtnGridReader.h"
 #include "gtnLibrary.h"
 #include "gtnMessages.h"
 #include "gtnObj.h"
@@ -32,7 +33,6 @@
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLPartitionedDataSetCollectionReader.h"
 #include "vtkXMLPolyDataReader.h"
-#include "vtkXMLUnstructuredGridReader.h"
 
 #include <algorithm>
 #include <fstream>
@@ -191,10 +191,14 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
   }
   if (extension == ".vtu")
   {
-    return Make<vtkXMLUnstructuredGridReader>(file);
+    return MakeGridReader(file);
   }
-  if (IsOneOf(extension,
-        { ".pvtu", ".pvtp", ".vtm", ".vtmb", ".vti", ".vts", ".vtr", ".pvti", ".pvts", ".pvtr" }))
+  if (extension == ".pvtu")
+  {
+    return MakeParallelGridReader(file);
+  }
+  if (IsOneOf(
+        extension, { ".pvtp", ".vtm", ".vtmb", ".vti", ".vts", ".vtr", ".pvti", ".pvts", ".pvtr" }))
   {
     return Make<vtkXMLGenericDataObjectReader>(file);
   }
