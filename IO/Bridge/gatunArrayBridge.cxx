@@ -178,7 +178,13 @@ vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array)
   auto copy = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(array->GetDataType()));
   copy->SetNumberOfComponents(array->GetNumberOfComponents());
   SizeArray(copy, array->GetNumberOfTuples());
-  if (array->GetNumberOfValues() > 0)
+  if (array->GetNumberOfValues() == 1)
+  {
+    // VTK 9.6 does not export a single value of an implicit array.
+    std::memcpy(copy->GetVoidPointer(0), array->GetVoidPointer(0),
+      static_cast<std::size_t>(array->GetDataTypeSize()));
+  }
+  else if (array->GetNumberOfValues() > 0)
   {
     array->ExportToVoidPointer(copy->GetVoidPointer(0));
   }

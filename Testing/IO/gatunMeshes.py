@@ -9,9 +9,9 @@ import sys
 import numpy as np
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.util.vtkConstants import VTK_BIT, VTK_STRING, VTK_TETRA
+from vtkmodules.util.vtkConstants import VTK_BIT, VTK_STRING, VTK_TETRA, VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonCore import (
-    vtkIdList, vtkAbstractArray, vtkPoints, vtkStringArray, vtkTypeInt32Array, vtkTypeInt64Array)
+    vtkAbstractArray, vtkIdList, vtkPoints, vtkStringArray, vtkTypeInt32Array, vtkTypeInt64Array)
 from vtkmodules.vtkCommonDataModel import (
     VTK_POLYHEDRON, vtkCellArray, vtkDataSetAttributes, vtkUnstructuredGrid)
 
@@ -269,7 +269,14 @@ def cell_types(grid):
     return vtk_to_numpy(grid.GetCellTypes() if new else grid.GetCellTypesArray())
 
 
+def set_cell_type(grid, cell, kind):
+    types = cell_types(grid).copy()
+    types[cell] = kind
+    grid.SetCells(numpy_to_vtk(types, deep=True, array_type=VTK_UNSIGNED_CHAR), grid.GetCells())
+
+
 def has_wide_ids(cells):
+    """Whether these are 64-bit ids, whatever the storage."""
     return cells.GetConnectivityArray().GetDataTypeSize() == 8
 
 
