@@ -27,8 +27,8 @@ VTK_ABI_NAMESPACE_END
 
 namespace gatun
 {
-/** Sets the number of tuples of an array, whose values are lost. Call it in place of SetNumberOfTuples
- * and SetNumberOfValues. Throws std::bad_alloc. */
+/** Sets the number of tuples of an array, whose values are lost. Call it in place of
+ * SetNumberOfTuples and SetNumberOfValues. Throws std::bad_alloc. */
 VTKGATUNIO_EXPORT void SizeArray(vtkAbstractArray* array, vtkIdType tuples);
 
 /** The same in place of SetNumberOfPoints. */
