@@ -64,7 +64,7 @@ packages_paraview=(mpi-default-bin paraview paraview-dev python3-mpi4py)
 if [ "$(. /etc/os-release && echo "${VERSION_CODENAME:-}")" = bookworm ]; then
   packages_paraview+=(qttools5-dev qtxmlpatterns5-dev-tools)
 else
-  packages_paraview+=(qt6-tools-dev)
+  packages_paraview+=(qt6-tools-dev xsltproc)
 fi
 
 say() {

@@ -5,6 +5,7 @@
 
 #include "gatunError.h"
 #include "gatunLargeArray.h"
+#include "gatunNewArray.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkBitArray.h"
@@ -161,7 +162,7 @@ vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array)
   {
     auto bytes = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(VTK_UNSIGNED_CHAR));
     bytes->SetNumberOfComponents(bits->GetNumberOfComponents());
-    bytes->SetNumberOfTuples(bits->GetNumberOfTuples());
+    SizeArray(bytes, bits->GetNumberOfTuples());
     auto* to = static_cast<unsigned char*>(bytes->GetVoidPointer(0));
     for (vtkIdType i = 0; i < bits->GetNumberOfValues(); ++i)
     {
@@ -176,8 +177,14 @@ vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array)
   // Not by DeepCopy, which may go through double.
   auto copy = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(array->GetDataType()));
   copy->SetNumberOfComponents(array->GetNumberOfComponents());
-  copy->SetNumberOfTuples(array->GetNumberOfTuples());
-  if (array->GetNumberOfValues() > 0)
+  SizeArray(copy, array->GetNumberOfTuples());
+  if (array->GetNumberOfValues() == 1)
+  {
+    // VTK 9.6 does not export a single value of an implicit array.
+    std::memcpy(copy->GetVoidPointer(0), array->GetVoidPointer(0),
+      static_cast<std::size_t>(array->GetDataTypeSize()));
+  }
+  else if (array->GetNumberOfValues() > 0)
   {
     array->ExportToVoidPointer(copy->GetVoidPointer(0));
   }
@@ -191,7 +198,7 @@ vtkSmartPointer<vtkAbstractArray> Gather(
   const auto size = static_cast<vtkIdType>(tuples.size());
   auto gathered = vtk::TakeSmartPointer(vtkAbstractArray::CreateArray(array->GetDataType()));
   gathered->SetNumberOfComponents(array->GetNumberOfComponents());
-  gathered->SetNumberOfTuples(size);
+  SizeArray(gathered, size);
   SetNames(gathered, NameOf(array), ComponentNamesOf(array));
   if (array->HasInformation())
   {
@@ -277,7 +284,7 @@ ArrayFiller::ArrayFiller(const ArrayDescription& description, vtkIdType tuples)
   const int type = known ? description.VTKType : FixedSizeType(description.Type);
   this->Array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
   this->Array->SetNumberOfComponents(static_cast<int>(description.Components));
-  this->Array->SetNumberOfTuples(tuples);
+  SizeArray(this->Array, tuples);
   AskForHugePages(this->Array->GetVoidPointer(0),
     static_cast<std::size_t>(this->Array->GetNumberOfValues()) *
       static_cast<std::size_t>(this->Array->GetDataTypeSize()));

@@ -14,6 +14,7 @@
 
 #include "gatunCellInput.h"
 #include "gatunError.h"
+#include "gatunNewArray.h"
 #include "vtkGatunMergeBlocks.h"
 
 #include "vtkAbstractArray.h"
@@ -377,13 +378,28 @@ void BlockSource::SurveyStep(std::size_t step)
 }
 
 //------------------------------------------------------------------------------
+// Copies a tree, and its data up to the pointers of arrays. VTK 9.6 has one name for that.
+template <typename Tree>
+void CopyTree(Tree* from, Tree* to)
+{
+  if constexpr (requires { to->RecursiveShallowCopy(from); })
+  {
+    to->RecursiveShallowCopy(from);
+  }
+  else
+  {
+    to->ShallowCopy(from);
+  }
+}
+
+//------------------------------------------------------------------------------
 // Merges some blocks with the forms of the others, which become ghosts.
 void BlockSource::Read(
   std::size_t step, std::size_t first, std::size_t last, vtkUnstructuredGrid* output)
 {
   const Survey& survey = this->GetSurvey(step);
   auto blocks = vtk::TakeSmartPointer(survey.Blocks.Tree->NewInstance());
-  blocks->RecursiveShallowCopy(survey.Blocks.Tree);
+  CopyTree(survey.Blocks.Tree.Get(), blocks.Get());
   for (std::size_t i = first; i < last; ++i)
   {
     SetData(survey.Blocks, blocks, i, this->ReadBlock(step, i).Grid);

@@ -6,9 +6,14 @@
 
 #include "gtnFormats.h"
 
+#include "vtkCharArray.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkExodusIIReader.h"
+#include "vtkFieldData.h"
 #include "vtkHDFReader.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 
 #if GTN_HAS_CGNS
 #include "vtkCGNSReader.h"
@@ -22,9 +27,51 @@
 namespace
 {
 
+/** Clears what VTK leaves unset behind the ends of strings. */
+class ExodusReader : public vtkExodusIIReader
+{
+public:
+  static ExodusReader* New();
+  vtkTypeMacro(ExodusReader, vtkExodusIIReader);
+
+protected:
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
+  {
+    const int result = this->Superclass::RequestData(request, inputs, outputs);
+    auto* const output = vtkCompositeDataSet::GetData(outputs);
+    if (output)
+    {
+      ClearTexts(output->GetFieldData());
+      const auto iterator = vtk::TakeSmartPointer(output->NewIterator());
+      for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+      {
+        ClearTexts(iterator->GetCurrentDataObject()->GetFieldData());
+      }
+    }
+    return result;
+  }
+
+private:
+  static void ClearTexts(vtkFieldData* field)
+  {
+    for (const char* name : { "QA_Records", "Info_Records" })
+    {
+      auto* const texts = vtkArrayDownCast<vtkCharArray>(field->GetArray(name));
+      const vtkIdType size = texts ? texts->GetNumberOfComponents() : 0;
+      for (vtkIdType i = 0; texts && i < texts->GetNumberOfTuples(); ++i)
+      {
+        char* const text = texts->GetPointer(i * size);
+        std::fill(std::find(text, text + size, '\0'), text + size, '\0');
+      }
+    }
+  }
+};
+vtkStandardNewMacro(ExodusReader);
+
 vtkSmartPointer<vtkAlgorithm> MakeExodus(const std::string& file, bool sets)
 {
-  vtkNew<vtkExodusIIReader> reader;
+  vtkNew<ExodusReader> reader;
   reader->SetFileName(file.c_str());
   reader->UpdateInformation();
   // The mesh is what the element blocks hold; side sets and node sets repeat parts of it.

@@ -5,6 +5,7 @@
 
 #include "gtnFailure.h"
 #include "gtnFormats.h"
+#include "gtnGridReader.h"
 #include "gtnLibrary.h"
 #include "gtnMessages.h"
 #include "gtnObj.h"
@@ -137,12 +138,22 @@ void CheckIsCGNS(const std::string& file)
   }
 }
 
+// VTK 9.6 never decomposes polyhedra.
+template <typename Reader>
+void KeepPolyhedra(Reader* reader)
+{
+  if constexpr (requires { reader->DecomposePolyhedraOff(); })
+  {
+    reader->DecomposePolyhedraOff();
+  }
+}
+
 // The file is empty; the case is in the folder around it.
 vtkSmartPointer<vtkAlgorithm> MakeOpenFOAM(const std::string& file, bool sets)
 {
   vtkNew<vtkOpenFOAMReader> reader;
   reader->SetFileName(file.c_str());
-  reader->DecomposePolyhedraOff();
+  KeepPolyhedra(reader.Get());
   reader->CreateCellToPointOff();
   reader->CacheMeshOff();
   reader->UpdateInformation();
@@ -180,7 +191,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
   }
   if (extension == ".vtu")
   {
-    return Make<XMLGridReader>(file);
+    return MakeGridReader(file);
   }
   if (IsOneOf(extension, { ".vtm", ".vtmb", ".vti", ".vts", ".vtr", ".pvti", ".pvts", ".pvtr" }))
   {

@@ -19,7 +19,6 @@
 
 namespace gtn
 {
-vtkStandardNewMacro(XMLGridReader);
 vtkStandardNewMacro(XMLSurfaceReader);
 
 namespace

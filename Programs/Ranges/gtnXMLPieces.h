@@ -66,13 +66,6 @@ protected:
   }
 };
 
-class XMLGridReader : public XMLPieceReader<vtkXMLUnstructuredGridReader>
-{
-public:
-  static XMLGridReader* New();
-  vtkTypeMacro(XMLGridReader, vtkXMLUnstructuredGridReader);
-};
-
 class XMLSurfaceReader : public XMLPieceReader<vtkXMLPolyDataReader>
 {
 public:
