@@ -44,7 +44,7 @@ namespace gtn
 const char* const InputFormats =
   ".vtu .pvtu .vtk .vtm .vtpc .pvd .series .vtkhdf .vti .vts .vtr, Exodus "
   "(.e .exo .ex2), EnSight (.case), OpenFOAM (.foam), "
-  "CGNS, .gtn";
+  "CGNS, .gtn; with python3-meshio also .msh .med .inp .su2 .xdmf .bdf";
 const char* const SurfaceInputFormats = ".vtp .pvtp .vtk .stl .ply .obj .glb .gltf .gtn";
 
 //------------------------------------------------------------------------------
@@ -116,6 +116,28 @@ bool AreBlocks(const std::vector<SeriesStep>& steps)
       { return step.Files.size() == 1 && IsBlockList(step.Files.front()); });
 }
 
+// Throws Failure if some files, by their names, are surfaces and others are not.
+void RequireSameKind(const std::vector<std::string>& files)
+{
+  const std::string& first = files.front();
+  for (const std::string& file : files)
+  {
+    if (ExtensionOf(file) == ExtensionOf(first))
+    {
+      continue; // those differ only if somebody wants them to
+    }
+    CheckReadable(first);
+    CheckReadable(file);
+    const bool isSurface = IsSurfaceFile(file);
+    if (isSurface != IsSurfaceFile(first))
+    {
+      throw Failure(isSurface ? file : first,
+        "is a surface (vtkPolyData), and " + (isSurface ? first : file) +
+          " is not; they cannot be steps of one mesh: pack each by itself");
+    }
+  }
+}
+
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
@@ -126,6 +148,7 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
   std::vector<SeriesStep>& steps = this->Steps;
   if (files.size() > 1)
   {
+    RequireSameKind(files);
     steps = StepsOfFiles(files, options);
   }
   else if (IsFileList(this->Name))
@@ -378,7 +401,7 @@ vtkUnstructuredGrid* Input::ReadGrid(std::size_t step, Progress& progress)
   auto* const grid = vtkUnstructuredGrid::SafeDownCast(this->Read(step, progress));
   if (!grid)
   {
-    throw Failure(this->Name, "is a surface (vtkPolyData), without 3D cells");
+    throw Failure(this->Name, DescribeSurface());
   }
   return grid;
 }

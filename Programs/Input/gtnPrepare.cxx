@@ -4,6 +4,7 @@
 #include "gtnPrepare.h"
 
 #include "gtnFailure.h"
+#include "gtnReaders.h"
 #include "gtnText.h"
 
 #include "gatunCellInput.h"
@@ -212,7 +213,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Preparer::Convert(vtkUnstructuredGrid* grid
     const gatun::TetInput tets = gatun::MakeTetInput(grid);
     if (tets.Grid->GetNumberOfCells() == 0 && !tets.LeftOut.empty())
     {
-      throw Failure("has no 3D cells, only " + tets.LeftOut);
+      throw Failure(DescribeFlatCells(tets.LeftOut));
     }
     cells = { tets.Grid, tets.Warnings };
   }
@@ -236,7 +237,7 @@ void Preparer::MakeOutput(vtkDataObject* input, vtkDataObject* output)
   {
     if (this->Options.Split || (this->Options.VolumesOnly && !this->Options.SurfacesToo))
     {
-      throw Failure("is a surface (vtkPolyData), without 3D cells");
+      throw Failure(DescribeSurface());
     }
     grid = gatun::MakeSurfaceGrid(surface);
   }

@@ -4,15 +4,18 @@
 #include "gtnReaders.h"
 
 #include "gtnFailure.h"
+#include "gtnFileKind.h"
 #include "gtnFormats.h"
 #include "gtnGridReader.h"
 #include "gtnLibrary.h"
+#include "gtnMeshio.h"
 #include "gtnMessages.h"
 #include "gtnObj.h"
 #include "gtnReadable.h"
 #include "gtnText.h"
 #include "gtnXMLPieces.h"
 
+#include "gatunDescriptionText.h"
 #include "gatunFileReader.h"
 #include "vtkGatunHartleyReader.h"
 #include "vtkGatunReader.h"
@@ -38,6 +41,7 @@
 #include <fstream>
 #include <initializer_list>
 #include <string_view>
+#include <vector>
 
 namespace gtn
 {
@@ -90,10 +94,7 @@ vtkSmartPointer<vtkAlgorithm> MakeLegacy(const std::string& file)
 // The Exodus library prints, at length, what it thinks of other files.
 void CheckIsNetCDF(const std::string& file)
 {
-  char start[4] = {};
-  std::ifstream(file, std::ios::binary).read(start, sizeof(start));
-  const std::string_view magic(start, sizeof(start));
-  if (!magic.starts_with("CDF") && magic != "\x89HDF")
+  if (!IsNetCDF(file))
   {
     throw Failure(file, "is not an Exodus file");
   }
@@ -129,10 +130,7 @@ vtkSmartPointer<vtkAlgorithm> MakeEnSight(const std::string& file)
 // The CGNS library ends the program if it cannot open a file.
 void CheckIsCGNS(const std::string& file)
 {
-  char start[8] = {};
-  std::ifstream(file, std::ios::binary).read(start, sizeof(start));
-  const std::string_view magic(start, sizeof(start));
-  if (!magic.starts_with("\x89HDF") && !magic.starts_with("@(#)ADF"))
+  if (!HasCGNSContent(file))
   {
     throw Failure(file, "is not a CGNS file");
   }
@@ -226,6 +224,10 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
   {
     return GetFormatReaders().MakeHDF(file);
   }
+  if (IsMeshioFile(file))
+  {
+    return MakeMeshioReader(file);
+  }
   return MakeSurfaceReader(file);
 }
 
@@ -249,18 +251,48 @@ bool IsSurfaceFile(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
+std::string DescribeFlatCells(const std::string& cells)
+{
+  return "has no 3D cells, only " + cells +
+    "; save these as a surface (.vtp), such as by Extract Surface of ParaView, to draw or simplify "
+    "them";
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeSurface()
+{
+  return "is a surface (vtkPolyData), without 3D cells; gtn render and gtn simplify take surfaces";
+}
+
+//------------------------------------------------------------------------------
 void RequireGrid(const gatun::FileReader& file)
 {
   if (file.IsSurface())
   {
-    throw Failure(file.GetPath(), "is a surface (vtkPolyData), without 3D cells");
+    throw Failure(file.GetPath(), DescribeSurface());
+  }
+  if (file.GetNumberOfTets() == 0 && file.GetNumberOfCells() > 0)
+  {
+    std::vector<std::string> cells;
+    for (const gatun::CellTypeCount& type : file.GetCellTypes())
+    {
+      cells.push_back(std::to_string(type.Cells) + " " + gatun::NameOfCellType(type.Type));
+    }
+    throw Failure(file.GetPath(), DescribeFlatCells(Join(cells)));
   }
 }
 
 //------------------------------------------------------------------------------
 bool IsExodus(const std::string& file)
 {
-  return IsOneOf(ExtensionOf(file), { ".e", ".exo", ".ex2", ".exii", ".g" });
+  const std::string extension = ExtensionOf(file);
+  // Others are known by their names: a file of Exodus may be called mesh.e.4.0 or mesh.e-s002.
+  const std::initializer_list<std::string_view> others{ ".gtn", ".vtu", ".pvtu", ".vtp", ".pvtp",
+    ".vtm", ".vtmb", ".vti", ".vts", ".vtr", ".pvti", ".pvts", ".pvtr", ".vtpc", ".vtk", ".case",
+    ".encas", ".foam", ".cgns", ".vtkhdf", ".hdf", ".stl", ".ply", ".obj", ".glb", ".gltf", ".pvd",
+    ".series" };
+  return IsOneOf(extension, { ".e", ".exo", ".ex2", ".exii", ".g", ".gen" }) ||
+    (!IsOneOf(extension, others) && HasExodusContent(file));
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #include "gtnMessages.h"
 
 #include "gtnFailure.h"
+#include "gtnReadable.h"
 #include "gtnText.h"
 
 #include "vtkLogger.h"
@@ -114,7 +115,7 @@ void CheckMessages(const std::string& file, bool quiet)
   if (!errors.empty())
   {
     // The first one is the cause, the others are what came of it.
-    throw Failure(file, errors.front());
+    throw Failure(file, ExplainRefusal(file, errors.front()));
   }
   for (const std::string& warning : warnings)
   {
