@@ -11,6 +11,7 @@
 #include "gtnMessages.h"
 #include "gtnObj.h"
 #include "gtnReadable.h"
+#include "gtnScratch.h"
 #include "gtnText.h"
 
 #include "gatunDescriptionText.h"
@@ -164,6 +165,7 @@ vtkSmartPointer<vtkAlgorithm> MakeCGNS(const std::string& file, bool sets)
     throw Failure(file, "this gtn was built with a VTK that does not read CGNS files");
   }
   CheckIsCGNS(file);
+  GuardExit(file);
   return make(file, sets);
 }
 
