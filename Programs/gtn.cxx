@@ -8,6 +8,7 @@
 #include "gtnHelp.h"
 #include "gtnMessages.h"
 #include "gtnProgress.h"
+#include "gtnScratch.h"
 #include "gtnText.h"
 #include "gtnThreads.h"
 
@@ -182,6 +183,7 @@ int Guarded(int argc, char* argv[])
 int main(int argc, char* argv[])
 {
   const int code = gtn::Guarded(argc, argv);
+  gtn::ReleaseExit();
   if (gtn::IsInterrupted())
   {
     gtn::EndInterrupted(); // all is put away

@@ -12,6 +12,7 @@
 #include "gtnMessages.h"
 #include "gtnObj.h"
 #include "gtnReadable.h"
+#include "gtnScratch.h"
 #include "gtnText.h"
 #include "gtnXMLPieces.h"
 
@@ -174,6 +175,7 @@ vtkSmartPointer<vtkAlgorithm> MakeCGNS(const std::string& file, bool sets)
     throw Failure(file, "this gtn was built with a VTK that does not read CGNS files");
   }
   CheckIsCGNS(file);
+  GuardExit(file);
   return make(file, sets);
 }
 

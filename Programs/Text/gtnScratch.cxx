@@ -3,10 +3,14 @@
 
 #include "gtnScratch.h"
 
+#include "gtnMessages.h"
+#include "gtnText.h"
+
 #include <unistd.h>
 
 #include <array>
 #include <atomic>
+#include <cstdlib>
 #include <cstring>
 
 namespace gtn
@@ -20,6 +24,18 @@ struct ScratchSlot
   std::array<char, 4096> Name{};
 };
 std::array<ScratchSlot, 8> scratchSlots;
+
+std::string guardedFile;
+
+void HandleExit()
+{
+  if (!guardedFile.empty())
+  {
+    RemoveScratchFiles();
+    Say(guardedFile + ": is damaged: the library that reads it has ended the program");
+    _exit(1);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -46,6 +62,19 @@ ScratchName::~ScratchName()
   {
     scratchSlots[static_cast<std::size_t>(this->Place)].State = 0;
   }
+}
+
+//------------------------------------------------------------------------------
+void GuardExit(const std::string& file)
+{
+  static const int registered = std::atexit(HandleExit);
+  guardedFile = registered == 0 ? MakePrintableLine(file) : std::string();
+}
+
+//------------------------------------------------------------------------------
+void ReleaseExit()
+{
+  guardedFile.clear();
 }
 
 //------------------------------------------------------------------------------

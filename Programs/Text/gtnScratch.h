@@ -3,7 +3,8 @@
 #ifndef gtnScratch_h
 #define gtnScratch_h
 
-// The names of half-written files, for a handler of signals.
+// What is left to do when the program is ended by a signal or a library: the names of half-written
+// files.
 
 #include <string>
 
@@ -24,6 +25,11 @@ private:
 
 /** Removes them all. May be called by a handler of signals. */
 void RemoveScratchFiles() noexcept;
+
+/** For a file whose library may end the program: then the message and the exit code are those of
+ * other failures, and no half-written file is left. Until ReleaseExit. */
+void GuardExit(const std::string& file);
+void ReleaseExit();
 }
 
 #endif
