@@ -13,8 +13,8 @@ class vtkXMLReader;
 
 namespace gtn
 {
-/** VTK's reader, which reads empty pieces, too, and polyhedra of version 2.3, which VTK 9.3 and earlier leave
- * without faces. Errors are told as VTK's are. */
+/** VTK's reader, which reads empty pieces, too, and polyhedra of version 2.3, which VTK 9.3 and
+ * earlier leave without faces. Errors are told as VTK's are. */
 vtkSmartPointer<vtkXMLReader> MakeGridReader(const std::string& file);
 }
 
