@@ -250,7 +250,10 @@ void AddPack(CLI::App& app, Settings& settings)
     "  gtn pack --sets crash.e crash.gtn");
   AddForce(command, options->Overwrite);
   AddArrays(command, options->Input);
+  AddSkip(command, options->Input, "Leave out these point and cell arrays");
   AddSets(command, options->Input);
+  AddNoGhosts(command, options->Input,
+    "Leave out ghost cells (vtkGhostType) and points that only they use, as --pieces does");
   command
     ->add_option("--keep-order", options->KeepOrder,
       "Order to keep: none, points, cells, or all (points, cells, and the corners of "
@@ -338,6 +341,7 @@ void AddPack(CLI::App& app, Settings& settings)
         throw UsageError("--weight needs --hierarchy or --levels");
       }
       options->Input.InPieces = options->Pieces.AreGiven();
+      options->Input.NamesSets = true;
       options->Out = options->In.back();
       options->In.pop_back();
       Pack(*options, settings);

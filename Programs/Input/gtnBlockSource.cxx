@@ -13,6 +13,7 @@
 
 #include "gatunCellInput.h"
 #include "gatunError.h"
+#include "gatunGhosts.h"
 #include "vtkGatunMergeBlocks.h"
 #include "vtkGatunWriter.h"
 
@@ -84,12 +85,18 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
   CheckMessages(file, quiet);
   try
   {
-    return gatun::MakeCellInput(merge->GetOutput(), false).Grid;
+    return gatun::MakeCellInput(merge->GetOutput(), false, gatun::GhostCells::Remove).Grid;
   }
   catch (const gatun::Error& error)
   {
     throw Failure(file, error.what());
   }
+}
+
+std::size_t GhostsOf(vtkDataObject* data)
+{
+  auto* const set = vtkDataSet::SafeDownCast(data);
+  return set ? gatun::CountGhosts(set->GetCellData()) : 0;
 }
 
 bool HasUnusedPoints(vtkUnstructuredGrid* grid)
@@ -328,6 +335,7 @@ struct BlockSource::Block
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
   std::string Name;
+  std::size_t Ghosts = 0; // that were left out
 };
 
 //------------------------------------------------------------------------------
@@ -342,7 +350,8 @@ BlockSource::Block BlockSource::ReadBlock(std::size_t step, std::size_t number)
     reader->SetFileName(file.c_str());
     reader->Update();
     CheckMessages(file, quiet);
-    return { MakeGrid(reader->GetOutputDataObject(0), file, quiet), {} };
+    vtkDataObject* const data = reader->GetOutputDataObject(0);
+    return { MakeGrid(data, file, quiet), {}, GhostsOf(data) };
   }
   const auto reader = MakeExodusReader(file, this->Options.Sets, number);
   if (this->Times.empty())
@@ -381,9 +390,11 @@ BlockSource::Block BlockSource::ReadBlock(std::size_t step, std::size_t number)
 void BlockSource::SurveyStep(std::size_t step)
 {
   Survey& survey = this->GetSurvey(step);
+  std::size_t ghosts = 0;
   for (std::size_t i = 0; i < survey.Blocks.Files.size(); ++i)
   {
     const Block block = this->ReadBlock(step, i);
+    ghosts += block.Ghosts;
     survey.HasGlobalIds = survey.HasGlobalIds &&
       (block.Grid->GetNumberOfPoints() == 0 || block.Grid->GetPointData()->GetGlobalIds());
     SetData(survey.Blocks, survey.Blocks.Tree, i, MakeForm(block.Grid, i));
@@ -395,6 +406,11 @@ void BlockSource::SurveyStep(std::size_t step)
     }
   }
   survey.IsDone = true;
+  if (ghosts > 0 && !this->AreGhostsTold)
+  {
+    this->AreGhostsTold = true;
+    vtkWarningMacro(<< gatun::DescribeLostGhosts(ghosts));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -445,7 +461,8 @@ void BlockSource::Read(
     AddJoinArray(merged, survey.HasGlobalIds);
   }
   MarkForms(merged, forms, survey.HasGlobalIds);
-  Preparer::Prepare(merged, this->Options, output);
+  Preparer::Prepare(
+    gatun::MakeCellInput(merged, false, gatun::GhostCells::Remove).Grid, this->Options, output);
   CheckMessages(this->IsOneFile ? survey.Blocks.Files.front() : this->Steps[step].Files.front(),
     this->Options.Quiet);
 }

@@ -33,6 +33,8 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -174,6 +176,32 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
     this->Algorithm = preparer;
   }
   this->FindTimes();
+  if (options.NamesSets && !options.Sets && files.size() == 1)
+  {
+    this->NameSets();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Tells which sets are left out.
+void Input::NameSets() const
+{
+  const std::vector<std::string> sets = ListSets(this->Name);
+  if (sets.empty())
+  {
+    return;
+  }
+  const std::string lost = fmt::format("without the sets, patches and boundaries '{}'; --sets "
+                                       "keeps them",
+    MakePrintableLine(fmt::format("{}", fmt::join(sets, "', '"))));
+  if (this->Options.Lost)
+  {
+    this->Options.Lost->insert(lost);
+  }
+  else if (!this->Options.Quiet)
+  {
+    Say(this->Name + ": " + lost);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -227,7 +255,7 @@ void Input::Spool(SpoolSettings settings, Progress& progress)
   const auto open = [this](const std::string& file) -> std::unique_ptr<RangedMesh>
   {
     return std::make_unique<XMLMesh>(
-      file, this->Options.AllArrays ? nullptr : &this->Options.Arrays);
+      file, this->Options.AllArrays ? nullptr : &this->Options.Arrays, this->Options.Skip);
   };
   std::shared_ptr<RangedMesh> mesh;
   if (this->Steps.empty() || !this->HasTime)

@@ -10,6 +10,7 @@
 #include "gtnObj.h"
 #include "gtnReadable.h"
 #include "gtnText.h"
+#include "gtnXMLKeys.h"
 
 #include "gatunFileReader.h"
 #include "vtkGatunHartleyReader.h"
@@ -35,9 +36,11 @@
 #include "vtkXMLUnstructuredGridReader.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <initializer_list>
 #include <string_view>
+#include <system_error>
 
 namespace gtn
 {
@@ -138,9 +141,24 @@ void CheckIsCGNS(const std::string& file)
   }
 }
 
+void CheckIsReconstructed(const std::string& file)
+{
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::absolute(file).parent_path();
+  std::error_code error;
+  if (!fs::exists(folder / "constant" / "polyMesh", error) &&
+    fs::exists(folder / "processor0", error))
+  {
+    throw Failure(file,
+      "is a decomposed OpenFOAM case, whose mesh is in the folders processor0, ...; make it one "
+      "mesh with reconstructPar (or reconstructParMesh) first");
+  }
+}
+
 // The file is empty; the case is in the folder around it.
 vtkSmartPointer<vtkAlgorithm> MakeOpenFOAM(const std::string& file, bool sets)
 {
+  CheckIsReconstructed(file);
   vtkNew<vtkOpenFOAMReader> reader;
   reader->SetFileName(file.c_str());
   reader->DecomposePolyhedraOff();
@@ -181,7 +199,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
   }
   if (extension == ".vtu")
   {
-    return Make<vtkXMLUnstructuredGridReader>(file);
+    return Make<WithUnknownKeys<vtkXMLUnstructuredGridReader>>(file);
   }
   if (IsOneOf(extension,
         { ".pvtu", ".pvtp", ".vtm", ".vtmb", ".vti", ".vts", ".vtr", ".pvti", ".pvts", ".pvtr" }))
@@ -218,6 +236,31 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
     return GetFormatReaders().MakeHDF(file);
   }
   return MakeSurfaceReader(file);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> ListSets(const std::string& file)
+{
+  std::vector<std::string> names;
+  if (IsExodus(file))
+  {
+    CheckReadable(file);
+    GetFormatReaders().ListExodusSets(MakeReader(file, false), names);
+  }
+  else if (ExtensionOf(file) == ".foam")
+  {
+    CheckReadable(file);
+    const vtkSmartPointer<vtkAlgorithm> made = MakeOpenFOAM(file, false);
+    auto* const reader = vtkOpenFOAMReader::SafeDownCast(made);
+    for (int i = 0; i < reader->GetNumberOfPatchArrays(); ++i)
+    {
+      names.emplace_back(reader->GetPatchArrayName(i));
+    }
+    std::erase(names, "internalMesh");
+  }
+  TakeErrors(); // reading the file reports them again
+  TakeWarnings();
+  return names;
 }
 
 //------------------------------------------------------------------------------
@@ -345,7 +388,7 @@ vtkSmartPointer<vtkAlgorithm> MakeSurfaceReader(const std::string& file)
   }
   if (extension == ".vtp")
   {
-    return Make<vtkXMLPolyDataReader>(file);
+    return Make<WithUnknownKeys<vtkXMLPolyDataReader>>(file);
   }
   if (extension == ".vtk")
   {

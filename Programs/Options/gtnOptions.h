@@ -19,6 +19,12 @@ void AddForce(CLI::App* command, bool& overwrite);
 void AddArrays(CLI::App* command, InputOptions& input,
   const std::string& description = "Only these point and cell arrays (default: all)");
 
+/** --skip: which arrays of the input are not wanted. */
+void AddSkip(CLI::App* command, InputOptions& input, const std::string& description);
+
+/** --no-ghosts: whether ghost cells are not wanted. */
+void AddNoGhosts(CLI::App* command, InputOptions& input, const std::string& description);
+
 /** --sets: whether the side sets and node sets of an Exodus file are wanted. */
 void AddSets(CLI::App* command, InputOptions& input);
 }

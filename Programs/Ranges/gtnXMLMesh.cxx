@@ -7,6 +7,7 @@
 #include "gtnMessages.h"
 #include "gtnReadable.h"
 #include "gtnText.h"
+#include "gtnXMLKeys.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellData.h"
@@ -31,11 +32,10 @@
 namespace gtn
 {
 /** Reads everything but the points, cells and values. Gives the elements of the file. */
-class XMLHeaderReader : public vtkXMLUnstructuredGridReader
+class XMLHeaderReader : public WithUnknownKeys<vtkXMLUnstructuredGridReader>
 {
 public:
   static XMLHeaderReader* New();
-  vtkTypeMacro(XMLHeaderReader, vtkXMLUnstructuredGridReader);
 
   static vtkSmartPointer<XMLHeaderReader> Read(const std::string& file)
   {
@@ -133,7 +133,7 @@ XMLSummary ReadXMLSummary(const std::string& file)
   summary.Grid = reader->GetOutput();
   try
   {
-    summary.Corners = XMLMesh(file, nullptr).CountCorners();
+    summary.Corners = XMLMesh(file, nullptr, {}).CountCorners();
   }
   catch (const Failure&)
   {
@@ -156,7 +156,8 @@ std::uint64_t XMLMesh::CountCorners() const
 }
 
 //------------------------------------------------------------------------------
-XMLMesh::XMLMesh(const std::string& file, const std::vector<std::string>* arrays)
+XMLMesh::XMLMesh(const std::string& file, const std::vector<std::string>* arrays,
+  const std::vector<std::string>& skip)
   : File(file)
 {
   this->Reader = XMLHeaderReader::Read(file);
@@ -165,13 +166,15 @@ XMLMesh::XMLMesh(const std::string& file, const std::vector<std::string>* arrays
     this->Refuse("has several time steps");
   }
   this->Template = this->Reader->GetOutput();
+  const auto isIn = [](const std::vector<std::string>& names, const char* name)
+  { return name && std::find(names.begin(), names.end(), name) != names.end(); };
   for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
   {
     vtkFieldData* data = DataOf(this->Template, association);
     for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
     {
       const char* name = data->GetAbstractArray(i)->GetName();
-      if (arrays && (!name || std::find(arrays->begin(), arrays->end(), name) == arrays->end()))
+      if ((arrays && !isIn(*arrays, name)) || isIn(skip, name))
       {
         data->RemoveArray(i);
       }

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gtnXMLKeys_h
+#define gtnXMLKeys_h
+
+// Information keys in VTK's XML files that only the program that wrote them defines.
+
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkSetGet.h"
+
+class vtkXMLDataElement;
+
+namespace gtn
+{
+/** Makes keys of texts for those in an element that VTK does not know; it would leave them out. */
+void MakeUnknownKeys(vtkXMLDataElement* element);
+
+/** A reader of XML files that knows them. */
+template <typename Reader>
+class WithUnknownKeys : public Reader
+{
+public:
+  static WithUnknownKeys* New() { VTK_STANDARD_NEW_BODY(WithUnknownKeys); }
+
+protected:
+  int ReadPrimaryElement(vtkXMLDataElement* element) override
+  {
+    MakeUnknownKeys(element);
+    return this->Reader::ReadPrimaryElement(element);
+  }
+};
+}
+
+#endif
