@@ -73,6 +73,7 @@ bool HasSetsIn(
     return false;
   }
   options.Sets = true;
+  options.Quiet = true;
   options.Lost = std::make_shared<std::set<std::string>>();
   Input input(originals, options);
   Progress progress("reading", false);

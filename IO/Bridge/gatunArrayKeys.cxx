@@ -62,7 +62,8 @@ void MakeKnownKeys()
  * quadrature points, and the weights of both. */
 void AddScheme(ArrayKey& to, int place, vtkQuadratureSchemeDefinition* scheme)
 {
-  const auto add = [&](double number) { to.Numbers.push_back(std::bit_cast<std::uint64_t>(number)); };
+  const auto add = [&](double number)
+  { to.Numbers.push_back(std::bit_cast<std::uint64_t>(number)); };
   const int nodes = scheme->GetNumberOfNodes();
   const int points = scheme->GetNumberOfQuadraturePoints();
   for (const int number : { place, scheme->GetCellType(), nodes, points })
@@ -101,8 +102,8 @@ void SetSchemes(vtkInformation* info, QuadratureKey* key, std::span<const std::u
     const int type = take(places);
     const int nodes = take(1 << 15);
     const int points = take(1 << 15);
-    const auto weights = static_cast<std::size_t>(std::max(nodes, 0)) *
-      static_cast<std::size_t>(std::max(points, 0));
+    const auto weights =
+      static_cast<std::size_t>(std::max(nodes, 0)) * static_cast<std::size_t>(std::max(points, 0));
     if (place < 0 || type < 0 || nodes < 1 || points < 1 ||
       numbers.size() - at < weights + static_cast<std::size_t>(points))
     {
@@ -186,13 +187,13 @@ bool ReadKey(vtkInformation* info, vtkInformationKey* key, ArrayKey& to)
   return true;
 }
 
-/** The key with a name, of a class; made if there is none. Null if there is one of another class. */
+/** The key with a name, of a class; made if there is none. Null if there is one of another class.
+ */
 template <typename Key>
 Key* GetKey(const ArrayKey& from)
 {
   vtkInformationKey* const known = vtkInformationKeyLookup::Find(from.Name, from.Location);
-  return known ? Key::SafeDownCast(known)
-               : Key::MakeKey(from.Name.c_str(), from.Location.c_str());
+  return known ? Key::SafeDownCast(known) : Key::MakeKey(from.Name.c_str(), from.Location.c_str());
 }
 
 template <typename Key, typename Value>
@@ -262,8 +263,8 @@ void SetKey(vtkInformation* info, const ArrayKey& from)
       }
       break;
     case KeyKind::Quadrature:
-      if (auto* key = QuadratureKey::SafeDownCast(
-            vtkInformationKeyLookup::Find(from.Name, from.Location)))
+      if (auto* key =
+            QuadratureKey::SafeDownCast(vtkInformationKeyLookup::Find(from.Name, from.Location)))
       {
         SetSchemes(info, key, from.Numbers);
       }

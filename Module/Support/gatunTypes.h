@@ -123,7 +123,7 @@ struct ArrayDescription
   /** One name for each component, or empty. */
   std::vector<std::string> ComponentNames;
 
-  std::vector<ArrayKey> Keys;
+  std::vector<ArrayKey> Keys = {};
 
   bool operator==(const ArrayDescription&) const = default;
 };

@@ -186,14 +186,17 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
 // Tells which sets are left out.
 void Input::NameSets() const
 {
-  const std::vector<std::string> sets = ListSets(this->Name);
+  std::vector<std::string> sets = ListSets(this->Name);
   if (sets.empty())
   {
     return;
   }
-  const std::string lost = fmt::format("without the sets, patches and boundaries '{}'; --sets "
-                                       "keeps them",
-    MakePrintableLine(fmt::format("{}", fmt::join(sets, "', '"))));
+  constexpr std::size_t enough = 16;
+  const std::size_t more = sets.size() - std::min(sets.size(), enough);
+  sets.resize(sets.size() - more);
+  const std::string lost = fmt::format("the sets or patches '{}'{} are left out; --sets keeps them",
+    MakePrintableLine(fmt::format("{}", fmt::join(sets, "', '"))),
+    more > 0 ? fmt::format(" and {} more", more) : "");
   if (this->Options.Lost)
   {
     this->Options.Lost->insert(lost);
