@@ -3,6 +3,8 @@
 
 #include "benchFiles.h"
 
+#include "gatunCellArrays.h"
+#include "gatunFaceStream.h"
 #include "vtkGatunReader.h"
 #include "vtkGatunWriter.h"
 
@@ -29,7 +31,7 @@ Grid MakeNarrow(vtkUnstructuredGrid* grid)
   }
   auto result = Grid::New();
   result->ShallowCopy(grid);
-  result->SetCells(grid->GetCellTypesArray(), cells, grid->GetFaceLocations(), grid->GetFaces());
+  gatun::SetCells(result, gatun::GetCellTypes(grid), cells, gatun::GetFaceStream(grid));
   return result;
 }
 

@@ -44,6 +44,13 @@ function (gatun_add_python_package)
     list(APPEND files "${folder}/${name}")
   endforeach ()
 
+  # Other packages find the entry points of the package in its metadata: PyVista reads and saves files with them.
+  set(metadata "gatun-${PROJECT_VERSION}.dist-info")
+  configure_file("${source}/gatun.dist-info/METADATA.in" "${folder}/../${metadata}/METADATA" @ONLY)
+  configure_file("${source}/gatun.dist-info/entry_points.txt" "${folder}/../${metadata}/entry_points.txt" COPYONLY)
+  install(FILES "${folder}/../${metadata}/METADATA" "${folder}/../${metadata}/entry_points.txt"
+    DESTINATION "${VTK_PYTHONPATH}/${metadata}")
+
   # The stubs are made by loading the modules, which a program with sanitizers or for another machine
   # does not let Python do, nor a ParaView outside the folders of the system.
   if (NOT CMAKE_CROSSCOMPILING AND NOT GATUN_SANITIZE AND NOT GATUN_BUILD_PARAVIEW_PLUGIN)

@@ -117,6 +117,13 @@ std::size_t FileContour::GetNumberOfChunks() const
 }
 
 //------------------------------------------------------------------------------
+std::uint64_t FileContour::CountFlatCells() const
+{
+  const FileReader* const file = this->File ? this->File->GetFile().get() : nullptr;
+  return file && file->GetNumberOfTets() == 0 ? file->GetNumberOfCells() : 0;
+}
+
+//------------------------------------------------------------------------------
 std::uint64_t FileContour::GetBytesRead() const
 {
   return this->File ? this->File->GetBytesRead() : 0;

@@ -39,6 +39,9 @@ public:
   std::size_t GetNumberOfChunks() const;
   std::uint64_t GetBytesRead() const;
 
+  /** The number of cells if none are 3D, else 0. */
+  std::uint64_t CountFlatCells() const;
+
   /** Of the surface made last. */
   const FileSurfaceStatistics& GetStatistics() const { return this->Statistics; }
   void ClearStatistics() { this->Statistics = {}; }

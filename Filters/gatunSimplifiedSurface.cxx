@@ -4,6 +4,7 @@
 #include "gatunSimplifiedSurface.h"
 
 #include "gatunCopyTuples.h"
+#include "gatunNewArray.h"
 #include "gatunParallel.h"
 
 #include "vtkCellArray.h"
@@ -26,16 +27,16 @@ namespace
 {
 /** Copies vertices or lines with new numbers of points. */
 void CopyCells(vtkPolyData* surface, vtkCellArray* cells, vtkIdType first,
-  const std::vector<vtkIdType>& places, vtkCellArray* output, vtkIdList* outputCells)
+  const std::vector<vtkIdType>& places, CellCollector& output, vtkIdList* outputCells)
 {
   ForEachOwnCell(surface, cells, first,
     [&](vtkIdType cell, vtkIdType count, const vtkIdType* ids)
     {
-      output->InsertNextCell(static_cast<int>(count));
       for (vtkIdType i = 0; i < count; ++i)
       {
-        output->InsertCellPoint(places[static_cast<std::size_t>(ids[i])]);
+        output.AddPoint(places[static_cast<std::size_t>(ids[i])]);
       }
+      output.EndCell();
       outputCells->InsertNextId(cell);
     });
 }
@@ -72,15 +73,15 @@ void SimplifiedSurface::Fill(const MergeTree& tree, std::size_t merges, vtkPolyD
   if (this->Surface->GetPoints())
   {
     points->SetDataType(this->Surface->GetPoints()->GetDataType());
-    points->SetNumberOfPoints(kept->GetNumberOfIds());
+    SizePoints(points, kept->GetNumberOfIds());
     this->Surface->GetPoints()->GetPoints(kept, points);
   }
   output->SetPoints(points);
   CopyTuples(this->Surface->GetPointData(), kept, output->GetPointData());
 
   vtkNew<vtkIdList> cells;
-  vtkNew<vtkCellArray> verts;
-  vtkNew<vtkCellArray> lines;
+  CellCollector verts;
+  CellCollector lines;
   CopyCells(this->Surface, this->Surface->GetVerts(), 0, places, verts, cells);
   CopyCells(this->Surface, this->Surface->GetLines(), this->Surface->GetNumberOfVerts(), places,
     lines, cells);
@@ -112,8 +113,8 @@ void SimplifiedSurface::Fill(const MergeTree& tree, std::size_t merges, vtkPolyD
   const vtkIdType left = starts[parts];
   vtkNew<vtkIdTypeArray> corners;
   vtkNew<vtkIdTypeArray> offsets;
-  corners->SetNumberOfValues(3 * left);
-  offsets->SetNumberOfValues(left + 1);
+  SizeArray(corners, 3 * left);
+  SizeArray(offsets, left + 1);
   cells->Resize(before + left);
   cells->SetNumberOfIds(before + left);
   vtkIdType* const corner = corners->GetPointer(0);
@@ -141,8 +142,8 @@ void SimplifiedSurface::Fill(const MergeTree& tree, std::size_t merges, vtkPolyD
   offset[left] = 3 * left;
   vtkNew<vtkCellArray> polys;
   polys->SetData(offsets, corners);
-  output->SetVerts(verts);
-  output->SetLines(lines);
+  output->SetVerts(verts.Make());
+  output->SetLines(lines.Make());
   output->SetPolys(polys);
   CopyTuples(this->Surface->GetCellData(), cells, output->GetCellData());
   output->GetFieldData()->ShallowCopy(this->Surface->GetFieldData());

@@ -4,6 +4,7 @@
 #include "gatunSurfaceOutput.h"
 
 #include "gatunArrayBridge.h"
+#include "gatunNewArray.h"
 #include "gatunStrips.h"
 
 #include "vtkCellArray.h"
@@ -31,8 +32,8 @@ vtkSmartPointer<vtkCellArray> MakeCells(std::size_t cells, std::size_t count, Fi
 {
   const auto make = [&](auto* offsets, auto* connectivity)
   {
-    offsets->SetNumberOfValues(static_cast<vtkIdType>(cells) + 1);
-    connectivity->SetNumberOfValues(static_cast<vtkIdType>(count));
+    SizeArray(offsets, static_cast<vtkIdType>(cells) + 1);
+    SizeArray(connectivity, static_cast<vtkIdType>(count));
     fill(offsets->GetPointer(0), connectivity->GetPointer(0));
     auto made = vtkSmartPointer<vtkCellArray>::New();
     made->SetData(offsets, connectivity);
@@ -114,7 +115,7 @@ void FillPolyData(const Surface& surface, const SurfaceOutput& content, vtkPolyD
   const auto count = static_cast<vtkIdType>(surface.GetNumberOfPoints());
   vtkNew<vtkPoints> points;
   points->SetDataType(content.CoordinateType == ScalarType::Float32 ? VTK_FLOAT : VTK_DOUBLE);
-  points->SetNumberOfPoints(count);
+  SizePoints(points, count);
   surface.FillPoints(points->GetVoidPointer(0));
   output->SetPoints(points);
   AddArrays(surface, content, output);
@@ -123,7 +124,7 @@ void FillPolyData(const Surface& surface, const SurfaceOutput& content, vtkPolyD
     vtkNew<vtkFloatArray> normals;
     normals->SetName("Normals");
     normals->SetNumberOfComponents(3);
-    normals->SetNumberOfTuples(count);
+    SizeArray(normals, count);
     surface.FillNormals(normals->GetPointer(0));
     output->GetPointData()->SetNormals(normals);
   }

@@ -202,6 +202,11 @@ int vtkGatunContour::RequestData(
     {
       self.File.Fill(
         *file, settings, inInfo, outputVector->GetInformationObject(0), progress, output);
+      if (const auto cells = self.File.CountFlatCells())
+      {
+        vtkWarningMacro(<< file->Path << ": there are no 3D cells, only " << cells
+                        << " of a lower dimension");
+      }
     }
     else
     {

@@ -10,6 +10,7 @@
 #include "gatunFileConsumer.h"
 #include "gatunFileReader.h"
 #include "gatunMergeGrid.h"
+#include "gatunNewArray.h"
 #include "gatunPieceBoundary.h"
 #include "gatunPieceReader.h"
 #include "gatunProcessExchange.h"
@@ -73,12 +74,13 @@ void FillOutput(vtkUnstructuredGrid* grid, const gatun::MergeTree& tree, std::si
   }
   vtkNew<vtkPoints> points;
   points->SetDataType(grid->GetPoints()->GetDataType());
+  gatun::SizePoints(points, kept->GetNumberOfIds());
   grid->GetPoints()->GetPoints(kept, points);
   output->SetPoints(points);
   gatun::CopyTuples(grid->GetPointData(), kept, output->GetPointData());
 
   vtkNew<vtkIdList> cells;
-  vtkNew<vtkCellArray> tets;
+  gatun::CellCollector tets;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
     vtkIdType count = 0;
@@ -89,11 +91,11 @@ void FillOutput(vtkUnstructuredGrid* grid, const gatun::MergeTree& tree, std::si
       ids, ids + 4, tet.begin(), [](vtkIdType id) { return static_cast<std::uint32_t>(id); });
     if (gatun::Simplify(tet, ancestors))
     {
-      tets->InsertNextCell({ places[tet[0]], places[tet[1]], places[tet[2]], places[tet[3]] });
+      tets.Add({ places[tet[0]], places[tet[1]], places[tet[2]], places[tet[3]] });
       cells->InsertNextId(cell);
     }
   }
-  output->SetCells(VTK_TETRA, tets);
+  output->SetCells(VTK_TETRA, tets.Make());
   gatun::CopyTuples(grid->GetCellData(), cells, output->GetCellData());
   output->GetFieldData()->ShallowCopy(grid->GetFieldData());
 }

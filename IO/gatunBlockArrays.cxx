@@ -4,6 +4,7 @@
 #include "gatunBlockArrays.h"
 
 #include "gatunArrayBridge.h"
+#include "gatunNewArray.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
@@ -296,7 +297,7 @@ void ArrayMatcher::FillUp(const std::vector<Kind>& kinds)
       if (numbers)
       {
         numbers->SetNumberOfComponents(kind.First->GetNumberOfComponents());
-        numbers->SetNumberOfTuples(this->Pieces[piece]->GetNumberOfElements(this->Association));
+        SizeArray(numbers, this->Pieces[piece]->GetNumberOfElements(this->Association));
         numbers->SetName(kind.Merged.c_str());
         numbers->CopyComponentNames(kind.First);
         numbers->Fill(isReal ? std::numeric_limits<double>::quiet_NaN() : 0.0);

@@ -7,6 +7,7 @@
 #include "gatunBlockList.h"
 #include "gatunCellCheck.h"
 #include "gatunErrorCodes.h"
+#include "gatunNewArray.h"
 #include "gatunProcessExchange.h"
 #include "gatunReport.h"
 
@@ -128,7 +129,7 @@ void AddBlockIds(const gatun::BlockList& blocks)
       {
         vtkNew<vtkIntArray> ids;
         ids->SetName(gatun::BlockIdName);
-        ids->SetNumberOfValues(piece->GetNumberOfElements(association));
+        gatun::SizeArray(ids, piece->GetNumberOfElements(association));
         ids->FillValue(blocks.GetBlocks()[i]);
         piece->GetAttributes(association)->AddArray(ids);
       }

@@ -239,6 +239,7 @@ int vtkGatunWriter::Write()
   }
   self.Discard();
   self.BytesSent = 0;
+  self.JoinedPoints = 0;
   self.PointError = 0;
   self.Writing = true;
   this->SetErrorCode(vtkErrorCode::NoError);

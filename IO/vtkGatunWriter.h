@@ -370,6 +370,7 @@ public:
    *   this; DirectoryBytes: headers and tables;
    * - PointError (vtkDoubleArray): largest difference between a coordinate of the file and that of
    *   the input, of the pieces of this process;
+   * - JoinedPoints: points of pieces that are the points of other pieces;
    * - BytesSent: what this process has sent to the others of Controller. A broadcast counts once
    * per receiver.
    */

@@ -343,6 +343,7 @@ void vtkGatunWriter::vtkInternals::PublishStatistics(
   table.Add("OtherMeshBytes", statistics.OtherMeshBytes);
   table.Add("DirectoryBytes", statistics.DirectoryBytes);
   table.Add("PointError", this->PointError);
+  table.Add("JoinedPoints", this->JoinedPoints);
   table.Add("BytesSent", this->BytesSent);
 }
 
@@ -425,6 +426,7 @@ void vtkGatunWriter::vtkInternals::FinishPieces(const gatun::ProcessExchange* ex
       " points are kept apart, because several points of a piece are where another piece has one; "
       "with global ids they would be joined");
   }
+  this->JoinedPoints = statistics.JoinedPoints;
   this->PublishStatistics(statistics.File, statistics.Points, statistics.Cells);
 }
 

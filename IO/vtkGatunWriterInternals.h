@@ -118,7 +118,8 @@ public:
   std::unique_ptr<gatun::MergeTree> FirstTree; // that of the first mesh, then
   std::uint64_t Points = 0;                    // of all meshes
   std::uint64_t Cells = 0;
-  double PointError = 0; // largest difference of a coordinate
+  double PointError = 0;          // largest difference of a coordinate
+  std::uint64_t JoinedPoints = 0; // points of pieces that are those of other pieces
   std::uint64_t BytesSent = 0;
   std::size_t LostGhosts = 0;   // of pieces
   gatun::Statistics Statistics; // of the last file

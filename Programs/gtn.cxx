@@ -19,7 +19,6 @@
 
 #include <unistd.h>
 
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -185,9 +184,7 @@ int main(int argc, char* argv[])
   const int code = gtn::Guarded(argc, argv);
   if (gtn::IsInterrupted())
   {
-    // All is put away; now end as Ctrl+C ends other programs.
-    std::signal(SIGINT, SIG_DFL);
-    std::raise(SIGINT);
+    gtn::EndInterrupted(); // all is put away
   }
   return code;
 }

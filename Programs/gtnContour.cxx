@@ -146,9 +146,10 @@ std::string ListOf(const std::vector<double>& values)
   return Join(texts);
 }
 
-/** Says which of the values are not among those of the mesh, or that nothing has come of any. */
-void WarnOfNothing(const ContourOptions& options, const ContourInput& input,
-  const std::vector<double>& values, bool isEmpty)
+/** Says which of the values are not among those of the mesh. Throws Failure if nothing has come of
+ * any: an empty file helps nobody. */
+void CheckSurface(const ContourOptions& options, const ContourInput& input,
+  const std::vector<double>& values, bool isEmpty, bool quiet)
 {
   const gatun::Range& range = input.GetRange();
   std::vector<double> outside;
@@ -161,8 +162,18 @@ void WarnOfNothing(const ContourOptions& options, const ContourInput& input,
   const std::string has = range.Min <= range.Max
     ? fmt::format("has values from {:.7g} to {:.7g}", range.Min, range.Max)
     : "has no values";
-  Say(fmt::format("{}: no surface at {}: array '{}' {}", options.Input.File,
-    ListOf(isEmpty ? values : outside), MakePrintableLine(input.GetArray()), has));
+  const Failure failure(options.Input.File,
+    fmt::format("no surface at {}: array '{}' {}{}", ListOf(isEmpty ? values : outside),
+      MakePrintableLine(input.GetArray()), has,
+      isEmpty ? "; nothing is written, see --value, --array and gtn info" : ""));
+  if (isEmpty)
+  {
+    throw failure;
+  }
+  if (!quiet)
+  {
+    Say(failure.what());
+  }
 }
 
 Size Measure(vtkPolyData* surface)
@@ -248,10 +259,7 @@ void Contour(const ContourOptions& options, const Settings& settings)
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   vtkPolyData* const surface = contour->GetOutput();
   const Size size = Measure(surface);
-  if (!settings.Quiet)
-  {
-    WarnOfNothing(options, input, values, size.Triangles == 0);
-  }
+  CheckSurface(options, input, values, size.Triangles == 0, settings.Quiet);
   {
     Progress progress("writing", settings.ShowProgress);
     WriteSurface(surface, options.Out, progress);
@@ -277,7 +285,9 @@ void AddContour(CLI::App& app, Settings& settings)
     "of a\n"
     ".gtn file are read that a surface passes through; other meshes are read as a whole. A .gtn,\n"
     ".vtp or .vtk file has the interpolated arrays of the mesh, other files have no arrays. An\n"
-    "isovalue outside the range of the array gives no surface and a warning.",
+    "isovalue outside the range of the array is warned of, and where no surface comes of any, "
+    "nothing\n"
+    "is written.",
     "  gtn contour --value 0.5 mesh.gtn surface.vtp\n"
     "  gtn contour --value 0.5 mesh.gtn surface.gtn\n"
     "  gtn contour --array pressure --value 1e5,2e5 --normals --stats mesh.gtn surface.vtp\n"

@@ -13,6 +13,7 @@
 #include "gtnReadable.h"
 #include "gtnText.h"
 
+#include "gatunError.h"
 #include "gatunFileReader.h"
 #include "gatunMeshDescription.h"
 
@@ -54,6 +55,29 @@ HistogramOptions HistogramOf(const InfoOptions& options)
   return wanted;
 }
 
+// Opens a file. Throws Failure with what reads it if it is of another format.
+std::shared_ptr<const gatun::FileReader> Open(const std::string& file)
+{
+  CheckReadable(file);
+  const std::string extension = ExtensionOf(file);
+  if (extension == ".ghv")
+  {
+    throw Failure(file, "is a volume; see gtn volume info");
+  }
+  try
+  {
+    return std::make_shared<const gatun::FileReader>(file);
+  }
+  catch (const gatun::Error&)
+  {
+    if (extension == ".gtn")
+    {
+      throw;
+    }
+    throw Failure(file, "is not a .gtn file; gtn pack makes one of a mesh");
+  }
+}
+
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
@@ -83,8 +107,7 @@ void AddInfo(CLI::App& app, Settings& settings)
     [options, &settings]
     {
       const HistogramOptions wanted = HistogramOf(*options);
-      CheckReadable(options->File);
-      const auto file = std::make_shared<const gatun::FileReader>(options->File);
+      const auto file = Open(options->File);
       Description description = gatun::DescribeMesh(*file, settings.Verbose);
       if (!wanted.Array.empty())
       {

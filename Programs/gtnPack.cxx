@@ -122,7 +122,7 @@ void SetLayers(vtkGatunWriter* writer, const PackOptions& options)
                                 : vtkGatunWriter::LAYERS_HISTOGRAM);
 }
 
-void PrintSizes(vtkGatunWriter* writer, const PackOptions& options, bool verbose)
+void PrintSizes(vtkGatunWriter* writer, const PackOptions& options, bool verbose, bool joinsFiles)
 {
   const gatun::FileReader file(options.Out);
   const vtkSmartPointer<vtkTable> table = writer->GetStatistics();
@@ -166,6 +166,11 @@ void PrintSizes(vtkGatunWriter* writer, const PackOptions& options, bool verbose
   print("other meshes", get("OtherMeshBytes"));
   print("directory", get("DirectoryBytes"));
   print("file", get("FileBytes"));
+  if (const vtkTypeUInt64 joined = get("JoinedPoints"); joined > 0 && joinsFiles)
+  {
+    fmt::print("  {} points that pieces have in common were joined; --keep-apart keeps them\n",
+      GroupDigits(joined));
+  }
   if (options.PointTolerance)
   {
     fmt::print("  coordinates differ by at most {:.6g}\n",
@@ -223,7 +228,7 @@ void Pack(const PackOptions& options, const Settings& settings)
   CheckMessages(input.GetName(), settings.Quiet);
   if (!settings.Quiet)
   {
-    PrintSizes(writer, options, settings.Verbose);
+    PrintSizes(writer, options, settings.Verbose, input.JoinsFiles());
   }
 }
 
@@ -251,6 +256,7 @@ void AddPack(CLI::App& app, Settings& settings)
   AddForce(command, options->Overwrite);
   AddArrays(command, options->Input);
   AddSkip(command, options->Input, "Leave out these point and cell arrays");
+  AddSkipMissing(command, options->Input);
   AddSets(command, options->Input);
   AddNoGhosts(command, options->Input,
     "Leave out ghost cells (vtkGhostType) and points that only they use, as --pieces does");
@@ -318,6 +324,11 @@ void AddPack(CLI::App& app, Settings& settings)
     "Compress arrays so that they are read faster, in one to two thirds of the time. The file is "
     "larger, by 2 to 15 percent (default: as small as possible)");
   AddPieceOptions(command, options->Pieces);
+  command->add_flag("--keep-apart", options->Input.KeepApart,
+    "With --pieces or --memory, do not join the points that several files of a mesh have in "
+    "common, "
+    "such as those on both sides of a fault (default: points with the same coordinates and values "
+    "become one)");
   command->add_flag("--triangles", options->Input.Triangles,
     "Divide the polygons and strips of a surface into triangles, which --hierarchy and --levels "
     "need");
@@ -342,6 +353,11 @@ void AddPack(CLI::App& app, Settings& settings)
       }
       options->Input.InPieces = options->Pieces.AreGiven();
       options->Input.NamesSets = true;
+      if (options->Input.KeepApart && !options->Input.InPieces)
+      {
+        throw UsageError("--keep-apart needs --pieces or --memory: a mesh that is read as a whole "
+                         "keeps all points");
+      }
       options->Out = options->In.back();
       options->In.pop_back();
       Pack(*options, settings);

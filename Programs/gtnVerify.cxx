@@ -17,6 +17,7 @@
 #include "gtnReaders.h"
 #include "gtnText.h"
 
+#include "gatunBlockArrays.h"
 #include "gatunCellInput.h"
 #include "gatunFileReader.h"
 #include "gatunGhosts.h"
@@ -26,6 +27,7 @@
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
@@ -81,6 +83,14 @@ bool HasSetsIn(
   return data && static_cast<std::uint64_t>(data->GetNumberOfCells()) == file.GetNumberOfCells();
 }
 
+// Whether a file has what 'gtn pack' tells of blocks; the files of a mesh in pieces are none.
+bool HasBlocks(Input& packed, const Settings& settings)
+{
+  Progress progress("reading", settings.ShowProgress);
+  vtkFieldData* const field = packed.Read(0, progress)->GetFieldData();
+  return field->HasArray(gatun::BlockNamesName);
+}
+
 vtkSmartPointer<vtkUnstructuredGrid> GridOf(vtkDataObject* data)
 {
   auto* const surface = vtkPolyData::SafeDownCast(data);
@@ -132,6 +142,7 @@ Verification::Verification(const VerifyOptions& options, const Settings& how, Fi
   this->Packed = std::make_unique<Input>(std::vector{ options.File }, input);
   input = options.Input;
   input.Lost = this->Lost;
+  input.InPieces = !HasBlocks(*this->Packed, how);
   input.Sets = !options.NoSets && HasSetsIn(options.Originals, input, file.GetFile());
   input.NamesSets = !options.NoSets;
   this->Original = std::make_unique<Input>(options.Originals, input);
@@ -139,6 +150,10 @@ Verification::Verification(const VerifyOptions& options, const Settings& how, Fi
     ShortNames(options.File, this->Original->GetName());
   this->Values = std::make_unique<Comparison>(
     this->NameOfPacked, this->NameOfOriginal, file.GetFile().GetKeptOrder());
+  if (this->Original->IsInFiles())
+  {
+    this->Values->AllowJoined();
+  }
   this->Bounded = std::make_unique<BoundedComparison>(*this->Values);
 }
 
@@ -260,14 +275,19 @@ void Verification::ReportIdentical() const
 {
   const std::size_t alike = this->Values->GetIndistinguishablePoints();
   const std::size_t files = this->Options.Originals.size();
+  const std::size_t joined = this->Values->GetJoinedPoints();
+  const std::string joins = joined > 0
+    ? fmt::format(
+        " but for {} points that its files have in common and that are joined", GroupDigits(joined))
+    : "";
   const std::string errors = this->Bounded->HasBounds()
     ? fmt::format(" but for bounded errors, of which the largest is {:.6f} of its bound",
         this->Bounded->GetWorst())
     : "";
-  fmt::print("{}: identical to {}{}{}{}{}\n", this->Options.File, this->Original->GetName(),
+  fmt::print("{}: identical to {}{}{}{}{}{}\n", this->Options.File, this->Original->GetName(),
     files > 1 ? fmt::format(" and {} more", files - 1) : "",
     this->Steps.size() > 1 ? fmt::format(", {} time steps", this->Steps.size()) : "",
-    alike > 0 ? fmt::format(", up to {} indistinguishable points", GroupDigits(alike)) : "",
+    alike > 0 ? fmt::format(", up to {} indistinguishable points", GroupDigits(alike)) : "", joins,
     errors);
 }
 
@@ -362,6 +382,7 @@ void AddVerify(CLI::App& app, Settings& settings)
     "  gtn verify mesh.gtn mesh.vtu\n"
     "  gtn verify run.gtn run_0.vtu run_1.vtu run_2.vtu");
   AddArrays(command, options->Input, "Compare only these point and cell arrays");
+  AddSkipMissing(command, options->Input);
   AddSkip(command, options->Input, "Compare without these point and cell arrays of ORIGINAL");
   command->add_flag("--no-sets", options->NoSets,
     "Compare without the side sets, node sets, patches and boundaries of ORIGINAL (default: all "

@@ -3,6 +3,8 @@
 
 #include "gatunHartleyOutput.h"
 
+#include "gatunNewArray.h"
+
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -55,7 +57,7 @@ vtkNew<vtkFloatArray> MakeFloats(const char* name, int components, vtkIdType tup
   vtkNew<vtkFloatArray> array;
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
+  SizeArray(array, tuples);
   return array;
 }
 }
@@ -69,7 +71,7 @@ void FillImage(const HartleyImage& drawn, const ImageOutput& options,
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetName("Color");
   colors->SetNumberOfComponents(4);
-  colors->SetNumberOfTuples(pixels);
+  SizeArray(colors, pixels);
   const vtkNew<vtkFloatArray> rgba = MakeFloats("RGBA", 4, options.Floats ? pixels : 0);
   const bool hasSums = options.Floats && !drawn.Sums.empty();
   const vtkNew<vtkFloatArray> sums = MakeFloats("Sum", 1, hasSums ? pixels : 0);

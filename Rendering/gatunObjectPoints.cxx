@@ -3,6 +3,7 @@
 
 #include "gatunObjectPoints.h"
 
+#include "gatunCellArrays.h"
 #include "gatunChunkCache.h"
 #include "gatunError.h"
 #include "gatunFileReader.h"
@@ -16,8 +17,6 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -48,24 +47,28 @@ bool IsFinite(const Point& point)
 
 void MarkUsed(vtkCellArray* cells, std::vector<bool>& used)
 {
-  const auto mark = [&](auto* connectivity)
+  if (!cells)
   {
-    for (vtkIdType i = 0; i < connectivity->GetNumberOfValues(); ++i)
+    return;
+  }
+  const auto mark = [&](const auto* ids, vtkIdType count)
+  {
+    for (vtkIdType i = 0; i < count; ++i)
     {
-      const auto id = connectivity->GetValue(i);
-      if (id >= 0 && static_cast<std::size_t>(id) < used.size())
+      if (ids[i] >= 0 && static_cast<std::size_t>(ids[i]) < used.size())
       {
-        used[static_cast<std::size_t>(id)] = true;
+        used[static_cast<std::size_t>(ids[i])] = true;
       }
     }
   };
-  if (cells && cells->IsStorage64Bit())
+  const auto ids = GetPointIds(cells);
+  if (HasWideIds(cells))
   {
-    mark(cells->GetConnectivityArray64());
+    mark(GetIntegers<vtkTypeInt64>(ids.Get()), ids->GetNumberOfValues());
   }
-  else if (cells)
+  else
   {
-    mark(cells->GetConnectivityArray32());
+    mark(GetIntegers<vtkTypeInt32>(ids.Get()), ids->GetNumberOfValues());
   }
 }
 

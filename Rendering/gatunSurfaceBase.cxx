@@ -4,6 +4,7 @@
 #include "gatunSurfaceBase.h"
 
 #include "gatunFileReader.h"
+#include "gatunNewArray.h"
 #include "gatunParallel.h"
 #include "gatunPieceReader.h"
 #include "gatunSurfaceGrid.h"
@@ -285,27 +286,29 @@ vtkSmartPointer<vtkPolyData> SurfaceBase::MakeMesh(const SurfaceBlock& block) co
   vtkNew<vtkUnstructuredGrid> grid;
   vtkNew<vtkPoints> coordinates;
   coordinates->SetDataType(this->Grid->GetPoints()->GetDataType());
-  coordinates->SetNumberOfPoints(pointIds->GetNumberOfIds());
+  SizePoints(coordinates, pointIds->GetNumberOfIds());
   this->Grid->GetPoints()->GetData()->GetTuples(pointIds, coordinates->GetData());
   grid->SetPoints(coordinates);
   Gather(this->Grid->GetPointData(), grid->GetPointData(), pointIds);
 
   vtkNew<vtkUnsignedCharArray> types;
-  vtkNew<vtkCellArray> cells;
-  cells->AllocateExact(cellIds->GetNumberOfIds(), static_cast<vtkIdType>(block.Corners.size()));
+  SizeArray(types, cellIds->GetNumberOfIds());
+  unsigned char* type = types->GetPointer(0);
+  CellCollector cells;
+  cells.Reserve(block.Cells.size(), block.Corners.size());
   auto corner = block.Corners.begin();
   for (const std::uint32_t cell : block.Cells)
   {
-    types->InsertNextValue(this->Types[cell]);
+    *type++ = this->Types[cell];
     const std::size_t count = this->GetCorners(cell).size();
-    cells->InsertNextCell(static_cast<int>(count));
     for (std::size_t i = 0; i < count; ++i, ++corner)
     {
-      cells->InsertCellPoint(static_cast<vtkIdType>(
+      cells.AddPoint(static_cast<vtkIdType>(
         std::lower_bound(points.begin(), points.end(), *corner) - points.begin()));
     }
+    cells.EndCell();
   }
-  grid->SetCells(types, cells);
+  grid->SetCells(types, cells.Make());
   Gather(this->Grid->GetCellData(), grid->GetCellData(), cellIds);
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   MakeSurface(grid, FindSurfaceCells(grid), mesh);

@@ -3,6 +3,8 @@
 
 #include "gatunSurfaceView.h"
 
+#include "gatunCellArrays.h"
+
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
@@ -13,8 +15,6 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <cmath>
@@ -123,9 +123,10 @@ NormalCone FindNormalCone(vtkPolyData* part)
     return {};
   }
   const auto triangles = static_cast<std::size_t>(count);
-  const std::vector<Vector> normals = polygons->IsStorage64Bit()
-    ? FindNormals(part->GetPoints(), polygons->GetConnectivityArray64()->GetPointer(0), triangles)
-    : FindNormals(part->GetPoints(), polygons->GetConnectivityArray32()->GetPointer(0), triangles);
+  const auto ids = GetPointIds(polygons);
+  const std::vector<Vector> normals = HasWideIds(polygons)
+    ? FindNormals(part->GetPoints(), GetIntegers<vtkTypeInt64>(ids.Get()), triangles)
+    : FindNormals(part->GetPoints(), GetIntegers<vtkTypeInt32>(ids.Get()), triangles);
   if (normals.empty())
   {
     return {};

@@ -10,6 +10,7 @@
 #include "gatunFileReader.h"
 #include "gatunImagePipeline.h"
 #include "gatunJustInTime.h"
+#include "gatunNewArray.h"
 #include "gatunOwned.h"
 #include "gatunRayCaster.h"
 #include "gatunRayRendering.h"
@@ -387,10 +388,10 @@ int vtkGatunRayCaster::RequestData(
     vtkNew<vtkFloatArray> colors;
     colors->SetName("RGBA");
     colors->SetNumberOfComponents(4);
-    colors->SetNumberOfTuples(image->GetNumberOfPoints());
+    gatun::SizeArray(colors, image->GetNumberOfPoints());
     vtkNew<vtkFloatArray> depths;
     depths->SetName("Depth");
-    depths->SetNumberOfTuples(image->GetNumberOfPoints());
+    gatun::SizeArray(depths, image->GetNumberOfPoints());
     caster.Finish(colors->GetPointer(0), depths->GetPointer(0));
     image->GetPointData()->SetScalars(colors);
     image->GetPointData()->AddArray(depths);

@@ -23,7 +23,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 CORE = "core"
 LAYERS = {
     "IO/Bridge": [CORE],
-    "IO/Description": [CORE],
+    "IO/Description": [CORE, "IO/Bridge"],
     "IO": [CORE, "IO/Bridge", "IO/Description"],
     "Filters/TetGen": [CORE, "IO/Bridge"],
     "Filters": [CORE, "IO/Bridge", "IO"],

@@ -4,10 +4,10 @@
 #
 # Runs setup.sh in a Debian system with nothing installed:
 #
-#   Utilities/clean_root.sh [OPTION]... bookworm|trixie [demo|test|package|use|ci]...
+#   Utilities/clean_root.sh [OPTION]... bookworm|trixie|forky [demo|test|package|use|ci]...
 #
-# Makes a root of Debian 12 (bookworm) or 13 (trixie) with debootstrap, clones the commit checked
-# out here into /gatun of it and runs `Utilities/setup.sh demo` and `test` there, or the commands
+# Makes a root of Debian 12 (bookworm), 13 (trixie) or testing (forky) with debootstrap, clones the commit
+# checked out here into /gatun of it and runs `Utilities/setup.sh demo` and `test` there, or the commands
 # given (ci: `.ci/run`; use: autopkgtest with the packages). Needs root and the package debootstrap. Options:
 #
 #   --root FOLDER    where the root goes             (/var/tmp/gatun-<release>)
@@ -64,7 +64,8 @@ make_root() {
   fi
   say "Making $root"
   mkdir -p "$root"
-  debootstrap --variant=minbase --include=ca-certificates "$release" "$root" "$mirror" \
+  # An older debootstrap does not know the newest release; the script of sid fits them all.
+  debootstrap --variant=minbase --include=ca-certificates "$release" "$root" "$mirror" sid \
     >"$root.log" 2>&1 || die "debootstrap failed; see $root.log"
   sed 's/^/deb /' <<<"$sources" >"$root/etc/apt/sources.list"
   apt-config dump | grep -E '^Acquire::((https?|ftp)::Proxy|Check-(Valid-Until|Date)) ' \
@@ -151,7 +152,7 @@ while [ $# -gt 0 ]; do
       usage
       exit 0
       ;;
-    bookworm | trixie) release=$1 ;;
+    bookworm | trixie | forky) release=$1 ;;
     demo | test | package | use | ci) commands+=("$1") ;;
     *)
       usage >&2

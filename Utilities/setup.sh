@@ -62,9 +62,9 @@ packages_lint=(clang-format clang-tidy git python3)
 # ParaView itself, the imports of its Python modules, and what its plugins need to write their help.
 packages_paraview=(mpi-default-bin paraview paraview-dev python3-mpi4py)
 if [ "$(. /etc/os-release && echo "${VERSION_CODENAME:-}")" = bookworm ]; then
-  packages_paraview+=(qttools5-dev)
+  packages_paraview+=(qttools5-dev qtxmlpatterns5-dev-tools)
 else
-  packages_paraview+=(qt6-tools-dev)
+  packages_paraview+=(qt6-tools-dev xsltproc)
 fi
 
 say() {

@@ -17,7 +17,7 @@ span = float(values.max() - values.min())
 
 print("bound      file in bytes   largest error / range")
 for bound in (None, "rel:1e-5", "rel:1e-4", "rel:1e-3", "rel:1e-2"):
-    size = gatun.write(knot, f"{folder}/bounded.gtn", tolerances=bound, keep_order="points")
+    size = gatun.write(knot, f"{folder}/bounded.gtn", tolerances=bound, keep_order="points", overwrite=True)
     back = gatun.to_numpy(gatun.read(f"{folder}/bounded.gtn")).point_data["value"]
     error = np.abs(back.astype(float) - values).max() / span
     print(f"{bound or 'lossless':10} {size:13} {error:15.2e}")

@@ -11,7 +11,7 @@ import gatun
 folder = get_folder()
 points, tets, values = make_knot(36)
 knot = gatun.from_numpy(points, tets, point_data={"value": values})
-gatun.write(knot, f"{folder}/knot.gtn", layers="value", chunk_size=4096)
+gatun.write(knot, f"{folder}/knot.gtn", layers="value", chunk_size=4096, overwrite=True)
 
 reader = gatun.vtkGatunReader()
 reader.SetFileName(f"{folder}/knot.gtn")

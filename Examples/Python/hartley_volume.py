@@ -15,7 +15,7 @@ volume = gatun.image_from_numpy(values, spacing=(0.5, 0.5, 0.5), name="density")
 pictures = []
 print("bits per voxel   bytes   RMS error of the values")
 for bits in (1, 0.1, 0.02):
-    size = gatun.write(volume, f"{folder}/body.ghv", bits_per_voxel=bits)
+    size = gatun.write(volume, f"{folder}/body.ghv", bits_per_voxel=bits, overwrite=True)
     back = gatun.image_to_numpy(gatun.read(f"{folder}/body.ghv"))
     error = np.sqrt(((back - values.astype(float)) ** 2).mean())
     print(f"{bits:14} {size:7} {error:8.2f}")

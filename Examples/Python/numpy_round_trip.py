@@ -21,7 +21,7 @@ cell_data = {
     "number": np.arange(len(cells), dtype=np.int64) * 1000003,
 }
 mesh = gatun.from_numpy(points, {"hexahedron": cells}, point_data=point_data, cell_data=cell_data)
-gatun.write(mesh, f"{folder}/arrays.gtn", keep_order="all")
+gatun.write(mesh, f"{folder}/arrays.gtn", keep_order="all", overwrite=True)
 
 back = gatun.to_numpy(gatun.read(f"{folder}/arrays.gtn"))
 arrays = {"points": (points, back.points), "cells": (cells, back.cells_dict["hexahedron"])}

@@ -13,7 +13,7 @@ import gatun
 folder = get_folder()
 points, cells, heat = make_pipe()
 pipe = gatun.from_numpy(points, {"hexahedron": cells}, point_data={"temperature": heat})
-gatun.write(pipe, f"{folder}/pipe.gtn")
+gatun.write(pipe, f"{folder}/pipe.gtn", overwrite=True)
 
 mesh = gatun.read(f"{folder}/pipe.gtn")
 print(f"{mesh.GetNumberOfCells()} cells, {mesh.GetNumberOfPoints()} points")

@@ -10,7 +10,7 @@ import gatun
 
 folder = get_folder()
 points, tets, values = make_knot()
-gatun.write(gatun.from_numpy(points, tets, point_data={"value": values}), f"{folder}/knot.gtn")
+gatun.write(gatun.from_numpy(points, tets, point_data={"value": values}), f"{folder}/knot.gtn", overwrite=True)
 
 glow = [(0.1, 0, 0.2), (0.6, 0.1, 0.4), (1, 0.5, 0.1), (1, 1, 0.8)]
 common = {"size": (180, 150), "background": "#101018", "zoom": 1.4, "azimuth": 10, "elevation": 10}

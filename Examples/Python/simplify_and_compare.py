@@ -11,7 +11,7 @@ import gatun
 folder = get_folder()
 points, tets, values = make_knot()
 knot = gatun.from_numpy(points, tets, point_data={"value": values})
-gatun.write(knot, f"{folder}/detail.gtn", hierarchy=True)
+gatun.write(knot, f"{folder}/detail.gtn", hierarchy=True, overwrite=True)
 
 pictures = []
 print("removed   points    cells   RMS of the image (of 255)")

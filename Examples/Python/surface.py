@@ -13,7 +13,7 @@ points, triangles, height = make_shell()
 shell = gatun.from_numpy(
     points, {"triangle": triangles}, point_data={"height": height}, surface=True
 )
-size = gatun.write(shell, f"{folder}/shell.gtn", hierarchy=True)
+size = gatun.write(shell, f"{folder}/shell.gtn", hierarchy=True, overwrite=True)
 print(f"{len(triangles)} triangles in {size} bytes")
 
 pictures = [

@@ -22,8 +22,8 @@ def make_step(time):
     return gatun.from_numpy(points, tets, point_data={"value": value.astype(np.float32)})
 
 
-gatun.write(map(make_step, times), f"{folder}/pulses.gtn", times=times)
-single = gatun.write(make_step(0), f"{folder}/pulse.gtn")
+gatun.write(map(make_step, times), f"{folder}/pulses.gtn", times=times, overwrite=True)
+single = gatun.write(make_step(0), f"{folder}/pulse.gtn", overwrite=True)
 size = os.path.getsize(f"{folder}/pulses.gtn")
 print(f"{len(gatun.steps(f'{folder}/pulses.gtn'))} steps in {size} bytes; one by one {9 * single}")
 

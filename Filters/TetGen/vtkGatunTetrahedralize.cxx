@@ -3,6 +3,7 @@
 
 #include "vtkGatunTetrahedralize.h"
 
+#include "gatunNewArray.h"
 #include "gatunTetGen.h"
 
 #include "vtkCellArray.h"
@@ -141,14 +142,14 @@ void FillOutput(const gatun::TetGenMesh& mesh, int pointType, vtkUnstructuredGri
 {
   vtkNew<vtkPoints> points;
   points->SetDataType(pointType);
-  points->SetNumberOfPoints(mesh.Points.size() / 3);
+  gatun::SizePoints(points, static_cast<vtkIdType>(mesh.Points.size() / 3));
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     points->SetPoint(i, mesh.Points.data() + 3 * i);
   }
 
   vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(4 * mesh.Tets.size());
+  gatun::SizeArray(connectivity, static_cast<vtkIdType>(4 * mesh.Tets.size()));
   vtkIdType* target = connectivity->GetPointer(0);
   for (const auto& tet : mesh.Tets)
   {

@@ -6,6 +6,7 @@
 #include "gatunArrayKeys.h"
 #include "gatunError.h"
 #include "gatunLargeArray.h"
+#include "gatunNewArray.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkBitArray.h"
@@ -162,7 +163,7 @@ vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array)
   {
     auto bytes = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(VTK_UNSIGNED_CHAR));
     bytes->SetNumberOfComponents(bits->GetNumberOfComponents());
-    bytes->SetNumberOfTuples(bits->GetNumberOfTuples());
+    SizeArray(bytes, bits->GetNumberOfTuples());
     auto* to = static_cast<unsigned char*>(bytes->GetVoidPointer(0));
     for (vtkIdType i = 0; i < bits->GetNumberOfValues(); ++i)
     {
@@ -177,8 +178,14 @@ vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array)
   // Not by DeepCopy, which may go through double.
   auto copy = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(array->GetDataType()));
   copy->SetNumberOfComponents(array->GetNumberOfComponents());
-  copy->SetNumberOfTuples(array->GetNumberOfTuples());
-  if (array->GetNumberOfValues() > 0)
+  SizeArray(copy, array->GetNumberOfTuples());
+  if (array->GetNumberOfValues() == 1)
+  {
+    // VTK 9.6 does not export a single value of an implicit array.
+    std::memcpy(copy->GetVoidPointer(0), array->GetVoidPointer(0),
+      static_cast<std::size_t>(array->GetDataTypeSize()));
+  }
+  else if (array->GetNumberOfValues() > 0)
   {
     array->ExportToVoidPointer(copy->GetVoidPointer(0));
   }
@@ -215,7 +222,7 @@ vtkSmartPointer<vtkAbstractArray> Gather(
   const auto size = static_cast<vtkIdType>(tuples.size());
   auto gathered = vtk::TakeSmartPointer(vtkAbstractArray::CreateArray(array->GetDataType()));
   gathered->SetNumberOfComponents(array->GetNumberOfComponents());
-  gathered->SetNumberOfTuples(size);
+  SizeArray(gathered, size);
   CopyNames(array, gathered);
   auto* numbers = vtkDataArray::SafeDownCast(array);
   if (numbers && array->GetDataType() != VTK_BIT)
@@ -300,7 +307,7 @@ ArrayFiller::ArrayFiller(const ArrayDescription& description, vtkIdType tuples)
   const int type = known ? description.VTKType : FixedSizeType(description.Type);
   this->Array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
   this->Array->SetNumberOfComponents(static_cast<int>(description.Components));
-  this->Array->SetNumberOfTuples(tuples);
+  SizeArray(this->Array, tuples);
   AskForHugePages(this->Array->GetVoidPointer(0),
     static_cast<std::size_t>(this->Array->GetNumberOfValues()) *
       static_cast<std::size_t>(this->Array->GetDataTypeSize()));

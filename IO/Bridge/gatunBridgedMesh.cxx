@@ -4,7 +4,9 @@
 #include "gatunBridgedMesh.h"
 
 #include "gatunArrayBridge.h"
+#include "gatunCellArrays.h"
 #include "gatunError.h"
+#include "gatunNewArray.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
@@ -34,7 +36,7 @@ vtkSmartPointer<vtkDataArray> CoordinatesOf(vtkPoints* points, bool& converted)
   converted = true;
   auto doubles = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(VTK_DOUBLE));
   doubles->SetNumberOfComponents(3);
-  doubles->SetNumberOfTuples(data->GetNumberOfTuples());
+  SizeArray(doubles, data->GetNumberOfTuples());
   // Up to here every integer is a double.
   constexpr double exact = 9007199254740992.0;
   for (vtkIdType point = 0; point < data->GetNumberOfTuples(); ++point)
@@ -71,21 +73,23 @@ BridgedMesh::BridgedMesh(vtkUnstructuredGrid* grid)
   }
   if (vtkCellArray* cells = grid->GetCells())
   {
-    this->Mesh.WideIds = cells->IsStorage64Bit();
+    this->Mesh.WideIds = HasWideIds(cells);
     if (cells->GetNumberOfCells() > 0)
     {
-      this->Connectivity = cells->GetConnectivityArray();
+      this->Connectivity = GetPointIds(cells);
       this->Mesh.Cells = static_cast<std::uint64_t>(cells->GetNumberOfCells());
       // Cells without points have no ids, and an empty array no memory.
       static constexpr std::int64_t none = 0;
       this->Mesh.Connectivity =
         this->Connectivity->GetNumberOfValues() > 0 ? this->Connectivity->GetVoidPointer(0) : &none;
-      vtkUnsignedCharArray* const types = grid->GetCellTypesArray();
+      const auto types = GetCellTypes(grid);
       const unsigned char* const begin = types->GetPointer(0);
       if (cells->IsHomogeneous() != 4 ||
         !std::all_of(begin, begin + types->GetNumberOfValues(),
           [](unsigned char type) { return type == VTK_TETRA; }))
       {
+        this->Types = types;
+        this->Mesh.Types = begin;
         this->SetOthers(grid);
       }
     }
@@ -101,9 +105,7 @@ void BridgedMesh::SetOthers(vtkUnstructuredGrid* grid)
     static_assert(sizeof(vtkIdType) == sizeof(std::int64_t));
     return reinterpret_cast<const std::int64_t*>(ids->GetPointer(0));
   };
-  this->Types = grid->GetCellTypesArray();
-  this->Mesh.Types = grid->GetCellTypesArray()->GetPointer(0);
-  this->Offsets = grid->GetCells()->GetOffsetsArray();
+  this->Offsets = GetOffsets(grid->GetCells());
   this->Mesh.Offsets = this->Offsets->GetVoidPointer(0);
   const FaceStream faces = GetFaceStream(grid);
   if (faces.Values && faces.Locations->GetNumberOfValues() >= grid->GetNumberOfCells())

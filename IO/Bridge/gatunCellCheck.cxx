@@ -3,6 +3,7 @@
 
 #include "gatunCellCheck.h"
 
+#include "gatunCellArrays.h"
 #include "gatunCellShapes.h"
 #include "gatunError.h"
 
@@ -11,8 +12,6 @@
 #include "vtkCellData.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -23,22 +22,24 @@ namespace
 {
 
 //------------------------------------------------------------------------------
-template <typename ArrayT>
-bool OffsetsFit(ArrayT* offsets, ArrayT* connectivity)
+bool OffsetsFit(vtkCellArray* cells)
 {
-  const auto* begin = offsets->GetPointer(0);
-  const auto* end = begin + offsets->GetNumberOfValues();
-  return begin != end && *begin == 0 && std::is_sorted(begin, end) &&
-    end[-1] <= connectivity->GetNumberOfValues();
+  bool fit = false;
+  gatun::UseCellArrays(cells,
+    [&](const auto* begin, const auto*, vtkIdType ids)
+    {
+      const auto* end = begin + cells->GetOffsetsArray()->GetNumberOfValues();
+      fit = begin != end && *begin == 0 && std::is_sorted(begin, end) && end[-1] <= ids;
+    });
+  return fit;
 }
 
 //------------------------------------------------------------------------------
-template <typename ArrayT>
-void CheckIds(ArrayT* connectivity, vtkIdType points)
+template <typename IdT>
+void CheckIds(const IdT* begin, vtkIdType count, vtkIdType points)
 {
-  const auto* begin = connectivity->GetPointer(0);
-  const auto* end = begin + connectivity->GetNumberOfValues();
-  const auto* wrong =
+  const IdT* const end = begin + count;
+  const IdT* const wrong =
     std::find_if(begin, end, [points](auto id) { return id < 0 || id >= points; });
   if (wrong != end)
   {
@@ -77,10 +78,7 @@ namespace gatun
 //------------------------------------------------------------------------------
 void CheckOffsets(vtkCellArray* cells)
 {
-  const bool good = cells->IsStorage64Bit()
-    ? OffsetsFit(cells->GetOffsetsArray64(), cells->GetConnectivityArray64())
-    : OffsetsFit(cells->GetOffsetsArray32(), cells->GetConnectivityArray32());
-  if (!good)
+  if (!OffsetsFit(cells))
   {
     throw Error(ErrorCode::InvalidInput, "the offsets of the cells do not fit their connectivity");
   }
@@ -89,20 +87,21 @@ void CheckOffsets(vtkCellArray* cells)
 //------------------------------------------------------------------------------
 void CheckPointIds(vtkCellArray* cells, vtkIdType points)
 {
-  if (cells->IsStorage64Bit())
+  const auto ids = GetPointIds(cells);
+  if (HasWideIds(cells))
   {
-    CheckIds(cells->GetConnectivityArray64(), points);
+    CheckIds(GetIntegers<vtkTypeInt64>(ids.Get()), ids->GetNumberOfValues(), points);
   }
   else
   {
-    CheckIds(cells->GetConnectivityArray32(), points);
+    CheckIds(GetIntegers<vtkTypeInt32>(ids.Get()), ids->GetNumberOfValues(), points);
   }
 }
 
 //------------------------------------------------------------------------------
 void CheckGrid(vtkUnstructuredGrid* grid)
 {
-  vtkUnsignedCharArray* const types = grid->GetCellTypesArray();
+  const auto types = GetCellTypes(grid);
   vtkCellArray* const cells = grid->GetCells();
   if (grid->GetNumberOfCells() > 0)
   {

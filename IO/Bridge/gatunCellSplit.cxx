@@ -68,7 +68,8 @@ public:
     {
       this->ReadPolyhedron(cell);
     }
-    SplitCell(this->Faces, this->Order, [&](const auto& tet) { this->Add(tet.data(), cell); });
+    SplitCell(
+      this->Faces, this->Order, this->Space, [&](const auto& tet) { this->Add(tet.data(), cell); });
   }
 
 private:
@@ -117,6 +118,7 @@ private:
       }
       this->Faces.Add(ids, [](vtkIdType id) { return id; });
     }
+    this->Faces.Align();
   }
 
   vtkUnstructuredGrid* const Grid;
@@ -125,6 +127,7 @@ private:
   SplitCells& Result;
   vtkSmartPointer<vtkCellArrayIterator> Iterator;
   CellFaces<vtkIdType> Faces;
+  SplitSpace<vtkIdType> Space;
 };
 
 template <typename T>

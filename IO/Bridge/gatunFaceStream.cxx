@@ -4,8 +4,10 @@
 #include "gatunFaceStream.h"
 
 #include "gatunError.h"
+#include "gatunNewArray.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellType.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -13,6 +15,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <string>
+#include <vector>
 
 namespace gatun
 {
@@ -25,9 +28,9 @@ concept HasFaceCells = requires(Grid* grid)
 };
 
 /** Appends a polyhedron with some of these faces to a stream. */
-void Append(vtkIdTypeArray* stream, vtkIdType cell, vtkIdList* list, vtkCellArray* faces)
+void Append(std::vector<vtkIdType>& stream, vtkIdType cell, vtkIdList* list, vtkCellArray* faces)
 {
-  stream->InsertNextValue(list->GetNumberOfIds());
+  stream.push_back(list->GetNumberOfIds());
   vtkNew<vtkIdList> corners;
   for (const vtkIdType face : *list)
   {
@@ -37,47 +40,51 @@ void Append(vtkIdTypeArray* stream, vtkIdType cell, vtkIdList* list, vtkCellArra
         std::to_string(face) + " of " + std::to_string(faces->GetNumberOfCells()));
     }
     faces->GetCellAtId(face, corners);
-    stream->InsertNextValue(corners->GetNumberOfIds());
+    stream.push_back(corners->GetNumberOfIds());
     for (const vtkIdType corner : *corners)
     {
-      stream->InsertNextValue(corner);
+      stream.push_back(corner);
     }
   }
 }
 
-FaceStream MakeStream(vtkCellArray* lists, vtkCellArray* faces)
+[[maybe_unused]] FaceStream MakeStream(
+  vtkUnstructuredGrid* grid, vtkCellArray* lists, vtkCellArray* faces)
 {
-  FaceStream stream{ vtkSmartPointer<vtkIdTypeArray>::New(),
-    vtkSmartPointer<vtkIdTypeArray>::New() };
-  stream.Locations->SetNumberOfValues(lists->GetNumberOfCells());
+  std::vector<vtkIdType> values;
+  std::vector<vtkIdType> locations;
+  locations.reserve(static_cast<std::size_t>(lists->GetNumberOfCells()));
   vtkNew<vtkIdList> list;
   for (vtkIdType cell = 0; cell < lists->GetNumberOfCells(); ++cell)
   {
     lists->GetCellAtId(cell, list);
-    const bool isPolyhedron = list->GetNumberOfIds() > 0;
-    stream.Locations->SetValue(cell, isPolyhedron ? stream.Values->GetNumberOfValues() : -1);
+    const bool isPolyhedron = grid->GetCellType(cell) == VTK_POLYHEDRON;
+    locations.push_back(isPolyhedron ? static_cast<vtkIdType>(values.size()) : -1);
     if (isPolyhedron)
     {
-      Append(stream.Values, cell, list, faces);
+      Append(values, cell, list, faces);
     }
   }
-  return stream;
+  return { MakeArray<vtkIdTypeArray>(values), MakeArray<vtkIdTypeArray>(locations) };
 }
 
 /** The reverse. */
-void Divide(const FaceStream& stream, vtkCellArray* lists, vtkCellArray* faces)
+void Divide(const FaceStream& stream, CellCollector& lists, CellCollector& faces)
 {
   for (vtkIdType cell = 0; cell < stream.Locations->GetNumberOfValues(); ++cell)
   {
     vtkIdType at = stream.Locations->GetValue(cell);
     const vtkIdType count = at < 0 ? 0 : stream.Values->GetValue(at++);
-    lists->InsertNextCell(static_cast<int>(count));
     for (vtkIdType i = 0; i < count; ++i)
     {
-      const vtkIdType size = stream.Values->GetValue(at++);
-      lists->InsertCellPoint(faces->InsertNextCell(size, stream.Values->GetPointer(at)));
-      at += size;
+      lists.AddPoint(static_cast<vtkIdType>(faces.GetNumberOfCells()));
+      for (vtkIdType size = stream.Values->GetValue(at++); size > 0; --size)
+      {
+        faces.AddPoint(stream.Values->GetValue(at++));
+      }
+      faces.EndCell();
     }
+    lists.EndCell();
   }
 }
 
@@ -88,7 +95,7 @@ FaceStream StreamOf(Grid* grid)
   {
     vtkCellArray* const lists = grid->GetPolyhedronFaceLocations();
     vtkCellArray* const faces = grid->GetPolyhedronFaces();
-    return lists && faces ? MakeStream(lists, faces) : FaceStream{};
+    return lists && faces ? MakeStream(grid, lists, faces) : FaceStream{};
   }
   else
   {
@@ -110,10 +117,10 @@ void SetCellsOf(
   }
   else if constexpr (HasFaceCells<Grid>)
   {
-    vtkNew<vtkCellArray> lists;
-    vtkNew<vtkCellArray> faces;
+    CellCollector lists;
+    CellCollector faces;
     Divide(stream, lists, faces);
-    grid->SetPolyhedralCells(types, cells, lists, faces);
+    grid->SetPolyhedralCells(types, cells, lists.Make(), faces.Make());
   }
   else
   {

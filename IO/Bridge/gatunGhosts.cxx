@@ -16,7 +16,7 @@ namespace gatun
 //------------------------------------------------------------------------------
 vtkUnsignedCharArray* GhostsWith(vtkDataSetAttributes* attributes, unsigned char bit)
 {
-  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+  auto* ghosts = vtkArrayDownCast<vtkUnsignedCharArray>(
     attributes->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()));
   if (ghosts && ghosts->GetNumberOfComponents() == 1)
   {
@@ -50,7 +50,7 @@ std::size_t CountGhosts(vtkDataSetAttributes* cellData)
 void ClearGhosts(vtkDataSetAttributes* attributes, unsigned char bit)
 {
   const char* name = vtkDataSetAttributes::GhostArrayName();
-  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(attributes->GetAbstractArray(name));
+  auto* ghosts = vtkArrayDownCast<vtkUnsignedCharArray>(attributes->GetAbstractArray(name));
   if (!ghosts || ghosts->GetNumberOfComponents() != 1)
   {
     return;

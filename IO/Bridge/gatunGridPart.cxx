@@ -4,8 +4,10 @@
 #include "gatunGridPart.h"
 
 #include "gatunArrayBridge.h"
+#include "gatunCellArrays.h"
 #include "gatunError.h"
 #include "gatunFaceStream.h"
+#include "gatunNewArray.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -19,6 +21,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace gatun
 {
@@ -32,27 +35,26 @@ public:
     : From(GetFaceStream(grid))
     , NewIds(newIds)
   {
-    this->To = { vtkSmartPointer<vtkIdTypeArray>::New(), vtkSmartPointer<vtkIdTypeArray>::New() };
   }
 
   void AddPolyhedron(vtkIdType cell)
   {
-    this->To.Locations->InsertNextValue(this->To.Values->GetNumberOfValues());
+    this->Locations.push_back(static_cast<vtkIdType>(this->Values.size()));
     this->Cell = cell;
     this->At = this->From.Locations && cell < this->From.Locations->GetNumberOfValues()
       ? this->From.Locations->GetValue(cell)
       : -1;
     if (this->At < 0)
     {
-      this->To.Values->InsertNextValue(0);
+      this->Values.push_back(0);
       return;
     }
     const vtkIdType faces = this->TakeCount();
-    this->To.Values->InsertNextValue(faces);
+    this->Values.push_back(faces);
     for (vtkIdType face = 0; face < faces; ++face)
     {
       const vtkIdType size = this->TakeCount();
-      this->To.Values->InsertNextValue(size);
+      this->Values.push_back(size);
       for (vtkIdType i = 0; i < size; ++i)
       {
         this->AddPoint(this->Take());
@@ -60,9 +62,14 @@ public:
     }
   }
 
-  void AddOther() { this->To.Locations->InsertNextValue(-1); }
+  void AddOther() { this->Locations.push_back(-1); }
 
-  const FaceStream& Get() const { return this->To; }
+  FaceStream Make() const
+  {
+    return this->Values.empty() ? FaceStream{}
+                                : FaceStream{ MakeArray<vtkIdTypeArray>(this->Values),
+                                    MakeArray<vtkIdTypeArray>(this->Locations) };
+  }
 
 private:
   vtkIdType Take()
@@ -94,11 +101,12 @@ private:
       ThrowInvalid("a face of cell " + std::to_string(this->Cell) + " names point " +
         std::to_string(point) + ", which the cell does not have");
     }
-    this->To.Values->InsertNextValue(id);
+    this->Values.push_back(id);
   }
 
   const FaceStream From;
-  FaceStream To;
+  std::vector<vtkIdType> Values;
+  std::vector<vtkIdType> Locations;
   const std::vector<vtkIdType>& NewIds;
   vtkIdType Cell = 0;
   vtkIdType At = 0;
@@ -118,27 +126,27 @@ vtkSmartPointer<vtkUnstructuredGrid> ExtractPart(
   extracted->SetPoints(points);
 
   vtkNew<vtkUnsignedCharArray> types;
-  vtkNew<vtkCellArray> cells;
+  SizeArray(types, static_cast<vtkIdType>(part.Cells.size()));
+  unsigned char* typeOut = types->GetPointer(0);
+  CellCollector cells;
+  bool isWide = true;
   FaceCopier faces(grid, newIds);
   if (!part.Cells.empty())
   {
-    if (!grid->GetCells()->IsStorage64Bit())
-    {
-      cells->Use32BitStorage();
-    }
+    isWide = HasWideIds(grid->GetCells());
     auto iterator = vtk::TakeSmartPointer(grid->GetCells()->NewIterator());
     for (const vtkIdType cell : part.Cells)
     {
       const int type = grid->GetCellType(cell);
-      types->InsertNextValue(static_cast<unsigned char>(type));
+      *typeOut++ = static_cast<unsigned char>(type);
       vtkIdType size = 0;
       const vtkIdType* ids = nullptr;
       iterator->GetCellAtId(cell, size, ids);
-      cells->InsertNextCell(static_cast<int>(size));
       for (vtkIdType i = 0; i < size; ++i)
       {
-        cells->InsertCellPoint(newIds[static_cast<std::size_t>(ids[i])]);
+        cells.AddPoint(newIds[static_cast<std::size_t>(ids[i])]);
       }
+      cells.EndCell();
       if (type == VTK_POLYHEDRON)
       {
         faces.AddPolyhedron(cell);
@@ -149,8 +157,7 @@ vtkSmartPointer<vtkUnstructuredGrid> ExtractPart(
       }
     }
   }
-  const bool hasFaces = faces.Get().Values->GetNumberOfValues() > 0;
-  SetCells(extracted, types, cells, hasFaces ? faces.Get() : FaceStream{});
+  SetCells(extracted, types, cells.Make(isWide), faces.Make());
   return extracted;
 }
 }

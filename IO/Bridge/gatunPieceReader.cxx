@@ -7,6 +7,7 @@
 #include "gatunFileConsumer.h"
 #include "gatunFileReader.h"
 #include "gatunLargeArray.h"
+#include "gatunNewArray.h"
 #include "gatunParallel.h"
 
 #include "vtkAbstractArray.h"
@@ -42,7 +43,7 @@ namespace
 template <typename ArrayT>
 auto* MakeRoom(ArrayT* array, vtkIdType values)
 {
-  array->SetNumberOfValues(values);
+  SizeArray(array, values);
   auto* const first = array->GetPointer(0);
   AskForHugePages(first, static_cast<std::size_t>(values) * sizeof(*first));
   return first;
@@ -99,7 +100,7 @@ vtkSmartPointer<vtkIdTypeArray> MakeIds(const char* name, vtkIdType values)
 {
   auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
   ids->SetName(name);
-  ids->SetNumberOfValues(values);
+  SizeArray(ids, values);
   return ids;
 }
 
@@ -124,7 +125,7 @@ vtkSmartPointer<vtkUnsignedCharArray> MakeGhostArray(vtkIdType values)
 {
   auto ghosts = vtkSmartPointer<vtkUnsignedCharArray>::New();
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  ghosts->SetNumberOfValues(values);
+  SizeArray(ghosts, values);
   return ghosts;
 }
 
@@ -141,15 +142,15 @@ PieceReader::OriginalCells MakeOriginalCells(const PieceDecoder& decoder, PieceT
   const auto count = static_cast<vtkIdType>(decoder.GetNumberOfCells());
   PieceReader::OriginalCells cells;
   cells.Types = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  cells.Types->SetNumberOfValues(count);
+  SizeArray(cells.Types, count);
   target.Types = cells.Types->GetPointer(0);
   if (decoder.GetFacesSize() > 0)
   {
     cells.Faces.Locations = vtkSmartPointer<vtkIdTypeArray>::New();
-    cells.Faces.Locations->SetNumberOfValues(count);
+    SizeArray(cells.Faces.Locations, count);
     target.FaceLocations = PointerTo(cells.Faces.Locations);
     cells.Faces.Values = vtkSmartPointer<vtkIdTypeArray>::New();
-    cells.Faces.Values->SetNumberOfValues(static_cast<vtkIdType>(decoder.GetFacesSize()));
+    SizeArray(cells.Faces.Values, static_cast<vtkIdType>(decoder.GetFacesSize()));
     target.Faces = PointerTo(cells.Faces.Values);
   }
   return cells;
@@ -163,7 +164,7 @@ void AddGhosts(vtkDataSetAttributes* attributes, vtkUnsignedCharArray* ghosts)
   {
     return;
   }
-  auto* stored = vtkUnsignedCharArray::SafeDownCast(attributes->GetArray(ghosts->GetName()));
+  auto* stored = vtkArrayDownCast<vtkUnsignedCharArray>(attributes->GetArray(ghosts->GetName()));
   if (!stored || stored->GetNumberOfValues() != ghosts->GetNumberOfValues())
   {
     attributes->AddArray(ghosts);
@@ -389,7 +390,7 @@ vtkSmartPointer<vtkPoints> PieceReader::MakePoints(
   auto coordinates = vtkSmartPointer<vtkPoints>::New();
   coordinates->SetDataType(
     file.GetCoordinateType() == ScalarType::Float64 ? VTK_DOUBLE : VTK_FLOAT);
-  coordinates->SetNumberOfPoints(points);
+  SizePoints(coordinates, points);
   SetDescription(coordinates->GetData(), file.GetPointArray());
   target.Points = coordinates->GetVoidPointer(0);
   AskForHugePages(target.Points,

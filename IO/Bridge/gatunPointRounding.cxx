@@ -5,6 +5,7 @@
 
 #include "gatunArrayBridge.h"
 #include "gatunError.h"
+#include "gatunNewArray.h"
 #include "gatunParallel.h"
 #include "gatunTurnedCells.h"
 
@@ -183,7 +184,7 @@ template <typename ArrayT>
   const std::size_t most = isWhole ? GetMostFine(points) : 0;
   vtkNew<ArrayT> to;
   to->SetNumberOfComponents(3);
-  to->SetNumberOfTuples(from->GetNumberOfTuples());
+  SizeArray(to, from->GetNumberOfTuples());
   const std::vector<std::uint8_t> coarse(points);
   std::ostringstream message;
   message << "with this tolerance of coordinates, cells turn over at " << turned
@@ -256,7 +257,7 @@ vtkSmartPointer<vtkDataArray> RoundArray(
   }
   auto to = vtkSmartPointer<ArrayT>::New();
   to->SetNumberOfComponents(3);
-  to->SetNumberOfTuples(from->GetNumberOfTuples());
+  SizeArray(to, from->GetNumberOfTuples());
   const double error = RoundUpright(grid, from, lattice, isWhole, to.Get());
   largest = std::max(largest, error);
   return error > 0 ? vtkSmartPointer<vtkDataArray>(to) : nullptr;

@@ -4,8 +4,10 @@
 #include "gatunSurfaceGrid.h"
 
 #include "gatunArrayBridge.h"
+#include "gatunCellArrays.h"
 #include "gatunCellCheck.h"
 #include "gatunError.h"
+#include "gatunNewArray.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -33,21 +35,6 @@ using CellLists = std::array<vtkCellArray*, SurfaceLists>;
 CellLists ListsOf(vtkPolyData* surface)
 {
   return { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() };
-}
-
-//------------------------------------------------------------------------------
-/** Calls use(offsets, ids) with the arrays of a cell array, in their own type. */
-template <typename Use>
-void UseArrays(vtkCellArray* cells, Use&& use)
-{
-  if (cells->IsStorage64Bit())
-  {
-    use(cells->GetOffsetsArray64()->GetPointer(0), cells->GetConnectivityArray64()->GetPointer(0));
-  }
-  else
-  {
-    use(cells->GetOffsetsArray32()->GetPointer(0), cells->GetConnectivityArray32()->GetPointer(0));
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -80,22 +67,22 @@ vtkSmartPointer<vtkCellArray> Concatenate(const CellLists& lists)
   for (vtkCellArray* list : lists)
   {
     cells += list->GetNumberOfCells();
-    UseArrays(list,
-      [&](const auto* offsets, const auto*)
+    UseCellArrays(list,
+      [&](const auto* offsets, const auto*, vtkIdType)
       { ids += static_cast<vtkIdType>(offsets[list->GetNumberOfCells()]); });
   }
   vtkNew<ArrayT> offsets;
-  offsets->SetNumberOfValues(cells + 1);
+  SizeArray(offsets, cells + 1);
   vtkNew<ArrayT> connectivity;
-  connectivity->SetNumberOfValues(ids);
+  SizeArray(connectivity, ids);
   ValueT* start = offsets->GetPointer(0);
   ValueT* id = connectivity->GetPointer(0);
   *start++ = 0;
   ValueT before = 0;
   for (vtkCellArray* list : lists)
   {
-    UseArrays(list,
-      [&](const auto* from, const auto* corners)
+    UseCellArrays(list,
+      [&](const auto* from, const auto* corners, vtkIdType)
       {
         const vtkIdType count = list->GetNumberOfCells();
         const auto toValue = [](auto value) { return static_cast<ValueT>(value); };
@@ -125,7 +112,7 @@ vtkSmartPointer<vtkCellArray> JoinLists(const CellLists& lists)
   for (auto list = filled.begin(); list != end; ++list)
   {
     ids += (*list)->GetNumberOfConnectivityIds();
-    isWide = isWide || (*list)->IsStorage64Bit();
+    isWide = isWide || HasWideIds(*list);
   }
   isWide = isWide || ids > VTK_INT_MAX;
   return isWide ? Concatenate<vtkTypeInt64Array>(lists) : Concatenate<vtkTypeInt32Array>(lists);
@@ -135,12 +122,12 @@ vtkSmartPointer<vtkCellArray> JoinLists(const CellLists& lists)
 vtkSmartPointer<vtkUnsignedCharArray> MakeTypes(const CellLists& lists, vtkIdType cells)
 {
   auto types = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  types->SetNumberOfValues(cells);
+  SizeArray(types, cells);
   unsigned char* type = types->GetPointer(0);
   for (std::size_t i = 0; i < lists.size(); ++i)
   {
-    UseArrays(lists[i],
-      [&](const auto* offsets, const auto*)
+    UseCellArrays(lists[i],
+      [&](const auto* offsets, const auto*, vtkIdType)
       {
         for (vtkIdType c = 0; c < lists[i]->GetNumberOfCells(); ++c)
         {
@@ -161,14 +148,14 @@ vtkSmartPointer<vtkCellArray> Extract(
   vtkIdType ids = 0;
   std::for_each(first, last, [&](vtkIdType cell) { ids += cells->GetCellSize(cell); });
   vtkNew<ArrayT> offsets;
-  offsets->SetNumberOfValues(last - first + 1);
+  SizeArray(offsets, last - first + 1);
   vtkNew<ArrayT> connectivity;
-  connectivity->SetNumberOfValues(ids);
+  SizeArray(connectivity, ids);
   ValueT* start = offsets->GetPointer(0);
   ValueT* id = connectivity->GetPointer(0);
   *start = 0;
-  UseArrays(cells,
-    [&](const auto* from, const auto* corners)
+  UseCellArrays(cells,
+    [&](const auto* from, const auto* corners, vtkIdType)
     {
       for (const vtkIdType* cell = first; cell != last; ++cell)
       {
@@ -212,7 +199,8 @@ SurfaceCells FindSurfaceCells(vtkUnstructuredGrid* grid)
     return cells;
   }
   cells.Source = grid->GetCells();
-  const unsigned char* const types = grid->GetCellTypesArray()->GetPointer(0);
+  const auto typeArray = GetCellTypes(grid);
+  const unsigned char* const types = typeArray->GetPointer(0);
   std::array<vtkIdType, SurfaceLists + 1> ends{}; // of the lists, behind a 0
   const auto listOf = [types](vtkIdType cell)
   { return static_cast<std::size_t>(GetSurfaceList(types[cell])); };
@@ -246,7 +234,7 @@ SurfaceCells FindSurfaceCells(vtkUnstructuredGrid* grid)
     const vtkIdType* const last = cells.Order.data() + ends[i + 1];
     if (first != last)
     {
-      cells.Lists[i] = cells.Source->IsStorage64Bit()
+      cells.Lists[i] = HasWideIds(cells.Source)
         ? Extract<vtkTypeInt64Array>(cells.Source, first, last)
         : Extract<vtkTypeInt32Array>(cells.Source, first, last);
     }

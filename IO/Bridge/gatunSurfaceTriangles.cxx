@@ -5,6 +5,7 @@
 
 #include "gatunArrayBridge.h"
 #include "gatunError.h"
+#include "gatunNewArray.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -43,6 +44,26 @@ bool IsGhost(vtkPolyData* surface, vtkIdType cell)
     (ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) != 0;
 }
 
+// vtkPolygon has no Triangulate(ids) since VTK 9.6, which was renamed in VTK 9.4.
+template <typename Polygon>
+concept HasLocalIds = requires(Polygon* polygon, vtkIdList* ids)
+{
+  polygon->TriangulateLocalIds(0, ids);
+};
+
+template <typename Polygon>
+bool Triangulate(Polygon* polygon, vtkIdList* triples)
+{
+  if constexpr (HasLocalIds<Polygon>)
+  {
+    return polygon->TriangulateLocalIds(0, triples) != 0;
+  }
+  else
+  {
+    return polygon->Triangulate(triples) != 0;
+  }
+}
+
 /** Divides polygons. */
 class Divider
 {
@@ -63,7 +84,7 @@ public:
       this->Polygon->Points->SetPoint(i, this->Points->GetPoint(ids[i]));
     }
     this->Triples->Reset();
-    const bool isDone = this->Polygon->Triangulate(this->Triples) != 0 &&
+    const bool isDone = Triangulate(this->Polygon.Get(), this->Triples.Get()) &&
       this->Triples->GetNumberOfIds() == 3 * (count - 2);
     if (!isDone)
     {
@@ -211,13 +232,12 @@ vtkSmartPointer<vtkPolyData> MakeTriangleSurface(vtkPolyData* surface)
     return surface;
   }
   const SurfaceTriangles triangles(surface);
-  vtkNew<vtkCellArray> cells;
-  cells->AllocateExact(static_cast<vtkIdType>(triangles.Corners.size()),
-    3 * static_cast<vtkIdType>(triangles.Corners.size()));
+  CellCollector cells;
+  cells.Reserve(triangles.Corners.size(), 3 * triangles.Corners.size());
   for (const SurfaceTriangles::Triangle& triangle : triangles.Corners)
   {
-    cells->InsertNextCell({ static_cast<vtkIdType>(triangle[0]),
-      static_cast<vtkIdType>(triangle[1]), static_cast<vtkIdType>(triangle[2]) });
+    cells.Add({ static_cast<vtkIdType>(triangle[0]), static_cast<vtkIdType>(triangle[1]),
+      static_cast<vtkIdType>(triangle[2]) });
   }
   // The data of vertices and lines come first and stay.
   std::vector<vtkIdType> sources(
@@ -228,7 +248,7 @@ vtkSmartPointer<vtkPolyData> MakeTriangleSurface(vtkPolyData* surface)
   divided->SetPoints(surface->GetPoints());
   divided->SetVerts(surface->GetVerts());
   divided->SetLines(surface->GetLines());
-  divided->SetPolys(cells);
+  divided->SetPolys(cells.Make());
   divided->GetPointData()->ShallowCopy(surface->GetPointData());
   GatherAll(surface->GetCellData(), sources, divided->GetCellData());
   divided->GetFieldData()->ShallowCopy(surface->GetFieldData());

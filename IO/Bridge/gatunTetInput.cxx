@@ -4,17 +4,20 @@
 #include "gatunTetInput.h"
 
 #include "gatunArrayBridge.h"
+#include "gatunCellArrays.h"
 #include "gatunCellCheck.h"
 #include "gatunCellShapes.h"
 #include "gatunCellSplit.h"
 #include "gatunError.h"
 #include "gatunGhosts.h"
+#include "gatunNewArray.h"
+
+#include "vtkGatunCompat.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkCellTypes.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -74,7 +77,8 @@ std::string List(const TypeCounts& counts, Treatment how)
     {
       const bool isKnown = how != Treatment::Refuse;
       list += (list.empty() ? "" : ", ") + std::to_string(count) + " " +
-        (isKnown ? vtkCellTypes::GetClassNameFromTypeId(type) : "of type " + std::to_string(type));
+        (isKnown ? vtkCellTypeUtilities::GetClassNameFromTypeId(type)
+                 : "of type " + std::to_string(type));
     }
   }
   return list;
@@ -84,12 +88,9 @@ std::string List(const TypeCounts& counts, Treatment how)
 template <typename ArrayT>
 vtkSmartPointer<vtkCellArray> MakeCells(const std::vector<vtkIdType>& corners)
 {
-  vtkNew<ArrayT> connectivity;
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(corners.size()));
-  std::transform(corners.begin(), corners.end(), connectivity->GetPointer(0),
-    [](vtkIdType id) { return static_cast<typename ArrayT::ValueType>(id); });
+  const auto connectivity = gatun::MakeArray<ArrayT>(corners);
   vtkNew<ArrayT> offsets;
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(corners.size()) / 4 + 1);
+  gatun::SizeArray(offsets, static_cast<vtkIdType>(corners.size()) / 4 + 1);
   for (vtkIdType i = 0; i < offsets->GetNumberOfValues(); ++i)
   {
     offsets->SetValue(i, static_cast<typename ArrayT::ValueType>(4 * i));
@@ -107,7 +108,7 @@ public:
   TetInputMaker(vtkUnstructuredGrid* input, bool withOriginalIds)
     : Input(input)
     , WithOriginalIds(withOriginalIds)
-    , Types(input->GetCellTypesArray())
+    , Types(gatun::GetCellTypes(input))
     , Cells(input->GetCells())
     , Ghosts(gatun::GhostsWith(input->GetCellData(), vtkDataSetAttributes::DUPLICATECELL))
     , PointIsUsed(static_cast<std::size_t>(input->GetNumberOfPoints()))
@@ -147,7 +148,7 @@ private:
 
   vtkUnstructuredGrid* const Input;
   const bool WithOriginalIds;
-  vtkUnsignedCharArray* const Types;
+  const vtkSmartPointer<vtkUnsignedCharArray> Types;
   vtkCellArray* const Cells;
   vtkUnsignedCharArray* const Ghosts; // null if there are no ghost cells
   TypeCounts Counts = {};
@@ -288,8 +289,8 @@ void TetInputMaker::MakeGrid()
     gatun::GatherAll(this->Input->GetPointData(), this->PointsKept, grid->GetPointData());
   }
   grid->SetCells(VTK_TETRA,
-    this->Cells->IsStorage64Bit() ? MakeCells<vtkTypeInt64Array>(this->Output.Corners)
-                                  : MakeCells<vtkTypeInt32Array>(this->Output.Corners));
+    gatun::HasWideIds(this->Cells) ? MakeCells<vtkTypeInt64Array>(this->Output.Corners)
+                                   : MakeCells<vtkTypeInt32Array>(this->Output.Corners));
 }
 
 //------------------------------------------------------------------------------
@@ -306,7 +307,7 @@ void TetInputMaker::CopyCellData()
   {
     vtkNew<vtkIdTypeArray> origin;
     origin->SetName("OriginalCellIds");
-    origin->SetNumberOfValues(static_cast<vtkIdType>(this->Output.Cells.size()));
+    gatun::SizeArray(origin, static_cast<vtkIdType>(this->Output.Cells.size()));
     std::copy(this->Output.Cells.begin(), this->Output.Cells.end(), origin->GetPointer(0));
     cellData->AddArray(origin);
   }

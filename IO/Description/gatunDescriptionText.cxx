@@ -6,7 +6,7 @@
 #include "gatunFileReader.h"
 #include "gatunPrintable.h"
 
-#include "vtkCellTypes.h"
+#include "vtkGatunCompat.h"
 
 #include <algorithm>
 #include <array>
@@ -139,7 +139,7 @@ const char* NameOfType(ScalarType type)
 //------------------------------------------------------------------------------
 std::string NameOfCellType(int type)
 {
-  const std::string name = vtkCellTypes::GetClassNameFromTypeId(type);
+  const std::string name = vtkCellTypeUtilities::GetClassNameFromTypeId(type);
   return name == "UnknownClass" ? "of type " + std::to_string(type) : name;
 }
 

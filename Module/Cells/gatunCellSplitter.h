@@ -54,6 +54,7 @@ public:
         this->Faces.Add(faces.subspan(at + 1, size), [](FaceId id) { return static_cast<Id>(id); });
         at += 1 + size;
       }
+      this->Faces.Align();
     }
     else if (type == ConvexPointSetType)
     {
@@ -63,12 +64,13 @@ public:
     {
       return;
     }
-    SplitCell(this->Faces, this->Less, use);
+    SplitCell(this->Faces, this->Less, this->Space, use);
   }
 
 private:
   IsLess Less;
   CellFaces<Id> Faces;
+  SplitSpace<Id> Space;
 };
 }
 

@@ -122,6 +122,12 @@ std::string BoundedComparison::CheckArray(
     const auto rounding = mesh.GetRounding(pair.Array, c, step);
     const auto packed = ReadKeys(pair.Packed, array.Type, c);
     const auto original = ReadKeys(pair.Original, array.Type, c);
+    if (packed.size() != original.size())
+    {
+      return pair.Packed.Title +
+        " has errors, and points were joined; pack the file with --keep-apart "
+        "to compare them";
+    }
     const auto first = Order(this->Others.GetFirst(ofPoints), packed);
     const auto second = Order(this->Others.GetSecond(ofPoints), original);
     bool isRounded = false;
@@ -158,9 +164,7 @@ Differences BoundedComparison::Compare(GridView packed, GridView original,
   const gatun::FileReader& mesh, std::size_t step, bool withRoles)
 {
   Differences differences = this->Others.MatchArrays(packed, original, withRoles);
-  const bool areAlike = packed.Points == original.Points && packed.Cells == original.Cells &&
-    packed.HasCoordinates() == (packed.Points > 0);
-  if (areAlike && this->AreValuesEqual)
+  if (this->Others.AreAlike(packed, original) && this->AreValuesEqual)
   {
     const auto points = Take(packed, original, mesh, true);
     const auto cells = Take(packed, original, mesh, false);

@@ -106,6 +106,15 @@ std::vector<Hash> Missing(const std::vector<Hash>& hashes, const std::vector<Has
   return missing;
 }
 
+// Whether all elements of two sorted sets are in the other, but in the first one not as often.
+bool IsJoined(const std::vector<Hash>& first, const std::vector<Hash>& second)
+{
+  std::vector<Hash> distinct;
+  std::unique_copy(second.begin(), second.end(), std::back_inserter(distinct));
+  return std::includes(second.begin(), second.end(), first.begin(), first.end()) &&
+    std::includes(first.begin(), first.end(), distinct.begin(), distinct.end());
+}
+
 // The property in which two sets differ, an element of the second that shows it, and an element of
 // the first that is like it in the properties before.
 struct Mismatch
@@ -119,8 +128,9 @@ using Property = std::function<void(std::vector<Hash>&)>;
 
 // Adds properties to the hashes of two sets, and compares the sets. Only if they differ, this is
 // done again, property by property.
+// isJoined: equal elements of the second set may be fewer in the first one.
 std::optional<Mismatch> CompareSets(std::vector<Hash>& first, std::vector<Hash>& second,
-  const std::vector<std::pair<Property, Property>>& properties)
+  const std::vector<std::pair<Property, Property>>& properties, bool isJoined = false)
 {
   std::vector<Hash> a = first;
   std::vector<Hash> b = second;
@@ -131,7 +141,7 @@ std::optional<Mismatch> CompareSets(std::vector<Hash>& first, std::vector<Hash>&
   }
   std::swap(a, first);
   std::swap(b, second);
-  if (Sorted(first) == Sorted(second))
+  if (isJoined ? IsJoined(Sorted(first), Sorted(second)) : Sorted(first) == Sorted(second))
   {
     return {};
   }
@@ -141,10 +151,20 @@ std::optional<Mismatch> CompareSets(std::vector<Hash>& first, std::vector<Hash>&
     const std::vector<Hash> beforeB = b;
     properties[property].first(a);
     properties[property].second(b);
-    const std::vector<Hash> lost = Missing(b, a);
-    if (lost.empty())
+    std::vector<Hash> lost = Missing(b, a);
+    if (isJoined)
+    {
+      const std::vector<Hash> sorted = Sorted(a);
+      std::erase_if(lost,
+        [&](const Hash& hash) { return std::binary_search(sorted.begin(), sorted.end(), hash); });
+    }
+    if (lost.empty() && property + 1 < properties.size())
     {
       continue;
+    }
+    if (lost.empty()) // the first set has elements more often
+    {
+      return Mismatch{ 0, 0, 0 };
     }
     const auto isIn = [](const std::vector<Hash>& sorted, const Hash& hash)
     { return std::binary_search(sorted.begin(), sorted.end(), hash); };
@@ -219,12 +239,25 @@ std::size_t Comparison::GetIndistinguishablePoints() const
 }
 
 //------------------------------------------------------------------------------
+bool Comparison::HavePoints(const GridView& first, const GridView& second) const
+{
+  return first.Points == second.Points || (this->MayBeJoined && first.Points < second.Points);
+}
+
+//------------------------------------------------------------------------------
+bool Comparison::AreAlike(const GridView& first, const GridView& second) const
+{
+  return this->HavePoints(first, second) && first.Cells == second.Cells &&
+    first.HasCoordinates() == (first.Points > 0);
+}
+
+//------------------------------------------------------------------------------
 Differences Comparison::MatchArrays(GridView& first, GridView& second, bool withRoles) const
 {
   const std::string& a = this->First.Name;
   const std::string& b = this->Second.Name;
   Differences differences;
-  if (first.Points != second.Points)
+  if (!this->HavePoints(first, second))
   {
     differences.push_back(
       fmt::format("{} has {} points, {} has {}", a, first.Points, b, second.Points));
@@ -243,6 +276,11 @@ Differences Comparison::MatchArrays(GridView& first, GridView& second, bool with
 Differences Comparison::CompareValues(const GridView& first, const GridView& second)
 {
   Differences differences;
+  if (first.Points < second.Points)
+  {
+    this->JoinedPoints = second.Points - first.Points;
+    this->Kept &= static_cast<std::uint8_t>(~(gatun::KeepPoints | gatun::KeepCorners));
+  }
   const auto compare = [&](const std::vector<ArrayView>& a, const std::vector<ArrayView>& b)
   {
     for (std::size_t i = 0; i < a.size(); ++i)
@@ -471,9 +509,10 @@ std::string Comparison::ComparePoints(const GridView& first, const GridView& sec
     this->First.Points = Numbered(first.Points, isKept);
     this->Second.Points = Numbered(second.Points, isKept);
   }
-  const auto mismatch = isKept ? std::nullopt
-                               : CompareSets(this->First.Points, this->Second.Points,
-                                   PropertiesOf(first.PointArrays, second.PointArrays));
+  const auto mismatch = isKept
+    ? std::nullopt
+    : CompareSets(this->First.Points, this->Second.Points,
+        PropertiesOf(first.PointArrays, second.PointArrays), this->JoinedPoints > 0);
   if (!mismatch)
   {
     return {};

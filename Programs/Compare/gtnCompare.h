@@ -35,10 +35,21 @@ public:
   /** Takes the names of the grids, for messages. */
   Comparison(std::string first, std::string second, std::uint8_t keptOrder);
 
+  /** Lets the first grid have fewer points than the second one, whose points with the same
+   * coordinates and values may have been joined: then every point of one grid is in the other, but
+   * in the first one less often. The order of the points does not matter then. */
+  void AllowJoined() { this->MayBeJoined = true; }
+
+  /** Returns by how many points the second grid of the last step has more. */
+  std::size_t GetJoinedPoints() const { return this->JoinedPoints; }
+
   /** Compares the numbers of points and cells and the kinds of arrays. Leaves only those arrays
    * that both have, in the same order. withRoles: whether to compare names of components, roles
    * and the name of the points, too. */
   Differences MatchArrays(GridView& first, GridView& second, bool withRoles) const;
+
+  /** Whether values can be compared after that. */
+  bool AreAlike(const GridView& first, const GridView& second) const;
 
   /** Compares the values of a step whose numbers of points and cells and arrays are the same. */
   Differences CompareValues(const GridView& first, const GridView& second);
@@ -69,6 +80,7 @@ private:
 
   std::string CompareInOrder(const GridView& first, const GridView& second) const;
   std::string CompareTuples(const ArrayView& first, const ArrayView& second) const;
+  bool HavePoints(const GridView& first, const GridView& second) const;
   void Match(std::vector<ArrayView>& first, std::vector<ArrayView>& second, bool withRoles,
     Differences& differences) const;
   void CompareKeys(const std::string& title, const std::vector<std::string>& first,
@@ -81,6 +93,8 @@ private:
   Side First;
   Side Second;
   std::uint8_t Kept;
+  bool MayBeJoined = false;
+  std::size_t JoinedPoints = 0;
 };
 }
 

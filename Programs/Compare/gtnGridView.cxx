@@ -7,8 +7,8 @@
 #include "gtnText.h"
 
 #include "gatunArrayKeys.h"
+#include "gatunCellArrays.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
@@ -163,20 +163,14 @@ GridView::GridView(vtkUnstructuredGrid* grid)
     return;
   }
   this->Faces = gatun::GetFaceStream(grid);
-  this->Types = grid->GetCellTypesArray()->GetPointer(0);
-  const auto read = [](auto* from, std::vector<std::int64_t>& to)
-  { to.assign(from->GetPointer(0), from->GetPointer(0) + from->GetNumberOfValues()); };
-  vtkCellArray* const cells = grid->GetCells();
-  if (cells->IsStorage64Bit())
-  {
-    read(cells->GetOffsetsArray64(), this->Starts);
-    read(cells->GetConnectivityArray64(), this->Ids);
-  }
-  else
-  {
-    read(cells->GetOffsetsArray32(), this->Starts);
-    read(cells->GetConnectivityArray32(), this->Ids);
-  }
+  this->TypeArray = gatun::GetCellTypes(grid);
+  this->Types = this->TypeArray->GetPointer(0);
+  gatun::UseCellArrays(grid->GetCells(),
+    [this](const auto* offsets, const auto* ids, vtkIdType size)
+    {
+      this->Starts.assign(offsets, offsets + this->Cells + 1);
+      this->Ids.assign(ids, ids + size);
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -74,6 +74,7 @@ struct GridView
   std::span<const std::int64_t> GetFaces(std::size_t cell) const;
 
 private:
+  vtkSmartPointer<vtkUnsignedCharArray> TypeArray;
   const unsigned char* Types = nullptr;
   std::vector<std::int64_t> Starts; // of the ids of each cell, and the end
   std::vector<std::int64_t> Ids;

@@ -5,12 +5,14 @@
 
 #include "gtnFailure.h"
 #include "gtnMessages.h"
+#include "gtnPartList.h"
 #include "gtnReadable.h"
 #include "gtnText.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
+#include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiPieceDataSet.h"
@@ -47,49 +49,70 @@ vtkSmartPointer<vtkDataObjectTree> MakeTree(std::string_view element)
 class ListReader
 {
 public:
-  explicit ListReader(const std::string& file)
+  ListReader(const std::string& file, const InputOptions& options)
     : File(file)
-    , Folder(std::filesystem::path(file).parent_path())
+    , Options(options)
   {
   }
 
   BlockList Read()
   {
-    CheckReadable(this->File);
-    vtkNew<vtkXMLDataParser> parser;
-    parser->SetFileName(this->File.c_str());
-    parser->Parse();
-    CheckMessages(this->File, true);
-    vtkXMLDataElement* root = parser->GetRootElement();
     BlockList list;
-    for (int i = 0; root && i < root->GetNumberOfNestedElements(); ++i)
-    {
-      vtkXMLDataElement* element = root->GetNestedElement(i);
-      const std::string_view name = element->GetName();
-      if (name == "vtkMultiBlockDataSet")
-      {
-        list.Tree = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-      }
-      else if (name == "vtkPartitionedDataSetCollection")
-      {
-        list.Tree = vtkSmartPointer<vtkPartitionedDataSetCollection>::New();
-      }
-      if (list.Tree)
-      {
-        this->Collect(element, list.Tree);
-        break;
-      }
-    }
-    if (this->Files.empty())
+    list.Tree = this->ReadTree(this->File);
+    if (this->Listed.empty())
     {
       throw Failure(this->File, "lists no files of blocks");
     }
+    FindExisting(this->File, this->Listed, this->Options); // or names those that are missing
     list.Files = this->Files;
     list.Places = this->FindPlaces(list.Tree);
     return list;
   }
 
 private:
+  // The tree of a file, which may be in that of another one.
+  vtkSmartPointer<vtkDataObjectTree> ReadTree(const std::string& file)
+  {
+    constexpr std::size_t mostLevels = 64;
+    constexpr std::size_t mostLists = 1 << 16;
+    if (this->Folders.size() >= mostLevels || ++this->Lists > mostLists)
+    {
+      throw Failure(file, "lists lists of blocks that list each other");
+    }
+    CheckReadable(file);
+    vtkNew<vtkXMLDataParser> parser;
+    parser->SetFileName(file.c_str());
+    parser->Parse();
+    CheckMessages(file, true);
+    vtkXMLDataElement* root = parser->GetRootElement();
+    this->Folders.push_back(std::filesystem::path(file).parent_path());
+    vtkSmartPointer<vtkDataObjectTree> tree;
+    for (int i = 0; root && i < root->GetNumberOfNestedElements(); ++i)
+    {
+      vtkXMLDataElement* element = root->GetNestedElement(i);
+      const std::string_view name = element->GetName();
+      if (name == "vtkMultiBlockDataSet")
+      {
+        tree = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+      }
+      else if (name == "vtkPartitionedDataSetCollection")
+      {
+        tree = vtkSmartPointer<vtkPartitionedDataSetCollection>::New();
+      }
+      if (tree)
+      {
+        this->Collect(element, tree);
+        break;
+      }
+    }
+    this->Folders.pop_back();
+    if (!tree)
+    {
+      throw Failure(file, "is not a list of blocks");
+    }
+    return tree;
+  }
+
   void Collect(vtkXMLDataElement* element, vtkDataObjectTree* tree)
   {
     unsigned next = 0;
@@ -126,8 +149,18 @@ private:
     {
       return nullptr; // a block without data
     }
+    const std::string path = (this->Folders.back() / file).string();
+    if (IsBlockList(path) && std::filesystem::exists(path))
+    {
+      return this->ReadTree(path);
+    }
+    this->Listed.push_back(path);
+    if (!std::filesystem::exists(path))
+    {
+      return nullptr; // a block without data, if it may be skipped
+    }
     auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-    this->Files.push_back((this->Folder / file).string());
+    this->Files.push_back(path);
     this->Grids.push_back(grid);
     return grid;
   }
@@ -148,6 +181,10 @@ private:
     }
     else if (auto* parts = vtkPartitionedDataSet::SafeDownCast(tree))
     {
+      if (child && !vtkDataSet::SafeDownCast(child))
+      {
+        throw Failure(this->File, "has a list of blocks as a partition");
+      }
       parts->SetPartition(number, child);
       info = parts->GetMetaData(number);
     }
@@ -188,7 +225,10 @@ private:
   }
 
   const std::string File;
-  const std::filesystem::path Folder;
+  const InputOptions Options;
+  std::vector<std::filesystem::path> Folders; // of the lists that are being read
+  std::size_t Lists = 0;                      // that have been read
+  std::vector<std::string> Listed;            // those that are missing included
   std::vector<std::string> Files;
   std::vector<vtkSmartPointer<vtkDataObject>> Grids;
 };
@@ -203,9 +243,9 @@ bool IsBlockList(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
-BlockList ReadBlockList(const std::string& file)
+BlockList ReadBlockList(const std::string& file, const InputOptions& options)
 {
-  return ListReader(file).Read();
+  return ListReader(file, options).Read();
 }
 
 //------------------------------------------------------------------------------

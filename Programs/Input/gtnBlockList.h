@@ -5,6 +5,8 @@
 
 // Files that list blocks in other files.
 
+#include "gtnInputOptions.h"
+
 #include "vtkSmartPointer.h"
 
 #include <cstddef>
@@ -29,8 +31,9 @@ bool IsBlockList(const std::string& file);
 /** A list of blocks of one file, whose names are not known. */
 BlockList MakeBlockList(const std::string& file, std::size_t count);
 
-/** Reads such a file, but none of those that it lists. Throws Failure. */
-BlockList ReadBlockList(const std::string& file);
+/** Reads such a file and the lists that it lists, but no blocks. Blocks whose files are missing are
+ * blocks without data if the options let them be skipped. Throws Failure. */
+BlockList ReadBlockList(const std::string& file, const InputOptions& options);
 }
 
 #endif

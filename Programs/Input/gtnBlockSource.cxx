@@ -5,6 +5,7 @@
 
 #include "gtnFailure.h"
 #include "gtnMessages.h"
+#include "gtnPartReader.h"
 #include "gtnPrepare.h"
 #include "gtnReadable.h"
 #include "gtnReaders.h"
@@ -14,8 +15,8 @@
 #include "gatunCellInput.h"
 #include "gatunError.h"
 #include "gatunGhosts.h"
+#include "gatunNewArray.h"
 #include "vtkGatunMergeBlocks.h"
-#include "vtkGatunWriter.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
@@ -39,10 +40,8 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkXMLGenericDataObjectReader.h"
 
 #include <algorithm>
 #include <exception>
@@ -77,7 +76,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
 {
   if (!vtkDataSet::SafeDownCast(data))
   {
-    throw Failure(file, "does not hold a mesh");
+    SayOnce(file, std::string("holds ") + data->GetClassName() + ", which is left out", quiet);
+    return vtkSmartPointer<vtkUnstructuredGrid>::New();
   }
   vtkNew<vtkGatunMergeBlocks> merge;
   merge->SetInputDataObject(data);
@@ -218,19 +218,10 @@ void MarkForms(vtkUnstructuredGrid* grid, const std::vector<FormPlace>& forms, b
 }
 
 /** Tells which points are joined with those of other blocks: as vtkGatunMergeBlocks does. */
-void AddJoinArray(vtkUnstructuredGrid* grid, bool hasGlobalIds)
+void MarkJoins(vtkUnstructuredGrid* grid, bool hasGlobalIds)
 {
-  vtkNew<vtkTypeInt64Array> numbers;
-  numbers->SetNumberOfValues(grid->GetNumberOfPoints());
-  numbers->FillValue(-1);
   vtkDataArray* ids = grid->GetPointData()->GetGlobalIds();
-  if (ids && hasGlobalIds)
-  {
-    numbers->DeepCopy(ids);
-  }
-  numbers->SetName(JoinArrayName);
-  numbers->GetInformation()->Set(vtkGatunWriter::JOIN_POINTS(), 1);
-  grid->GetPointData()->AddArray(numbers);
+  AddJoinArray(grid, ids && hasGlobalIds ? ids : nullptr);
 }
 
 } // anonymous namespace
@@ -246,12 +237,12 @@ void BlockSource::SetSteps(
   const std::vector<SeriesStep>& steps, const InputOptions& options, bool hasTime)
 {
   this->Steps = steps;
-  this->SetOptions(options);
+  this->Options = options;
   this->Times = hasTime ? TimesOf(steps) : std::vector<double>();
   this->Surveys.clear();
   for (const SeriesStep& step : steps)
   {
-    this->Surveys.emplace_back().Blocks = ReadBlockList(step.Files.front());
+    this->Surveys.emplace_back().Blocks = ReadBlockList(step.Files.front(), options);
   }
   this->Modified();
 }
@@ -259,7 +250,7 @@ void BlockSource::SetSteps(
 //------------------------------------------------------------------------------
 void BlockSource::SetExodus(const std::string& file, const InputOptions& options)
 {
-  this->SetOptions(options);
+  this->Options = options;
   this->IsOneFile = true;
   const std::size_t count = CountExodusBlocks(file, options.Sets);
   if (count == 0)
@@ -282,13 +273,6 @@ void BlockSource::SetExodus(const std::string& file, const InputOptions& options
 }
 
 //------------------------------------------------------------------------------
-void BlockSource::SetOptions(const InputOptions& options)
-{
-  this->Options = options;
-  this->Options.Arrays.emplace_back(JoinArrayName);
-}
-
-//------------------------------------------------------------------------------
 int BlockSource::RequestInformation(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
@@ -308,13 +292,14 @@ int BlockSource::RequestData(vtkInformation* vtkNotUsed(request),
   try
   {
     const Survey& survey = this->GetSurvey(step);
-    if (!survey.IsDone)
+    const auto pieces =
+      static_cast<std::size_t>(std::max(1, info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())));
+    const auto piece = static_cast<std::size_t>(info->Get(Pipeline::UPDATE_PIECE_NUMBER()));
+    const std::size_t count = survey.Blocks.Files.size();
+    if (!survey.IsDone && (pieces > 1 || this->IsOneFile))
     {
       this->SurveyStep(step);
     }
-    const auto pieces = static_cast<std::size_t>(info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
-    const auto piece = static_cast<std::size_t>(info->Get(Pipeline::UPDATE_PIECE_NUMBER()));
-    const std::size_t count = survey.Blocks.Files.size();
     this->Read(step, piece * count / pieces, (piece + 1) * count / pieces, output);
   }
   catch (const std::exception& error)
@@ -345,12 +330,7 @@ BlockSource::Block BlockSource::ReadBlock(std::size_t step, std::size_t number)
   const bool quiet = this->Options.Quiet;
   if (!this->IsOneFile)
   {
-    CheckReadable(file);
-    vtkNew<vtkXMLGenericDataObjectReader> reader;
-    reader->SetFileName(file.c_str());
-    reader->Update();
-    CheckMessages(file, quiet);
-    vtkDataObject* const data = reader->GetOutputDataObject(0);
+    const vtkSmartPointer<vtkDataObject> data = ReadPart(file, {}, this->Options);
     return { MakeGrid(data, file, quiet), {}, GhostsOf(data) };
   }
   const auto reader = MakeExodusReader(file, this->Options.Sets, number);
@@ -409,7 +389,29 @@ void BlockSource::SurveyStep(std::size_t step)
   if (ghosts > 0 && !this->AreGhostsTold)
   {
     this->AreGhostsTold = true;
-    vtkWarningMacro(<< gatun::DescribeLostGhosts(ghosts));
+    if (!this->Options.Lost)
+    {
+      vtkWarningMacro(<< gatun::DescribeLostGhosts(ghosts));
+    }
+    else if (this->Options.Ghosts)
+    {
+      this->Options.Lost->insert(gatun::DescribeLostGhosts(ghosts));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Copies a tree, and its data up to the pointers of arrays. VTK 9.6 has one name for that.
+template <typename Tree>
+void CopyTree(Tree* from, Tree* to)
+{
+  if constexpr (requires { to->RecursiveShallowCopy(from); })
+  {
+    to->RecursiveShallowCopy(from);
+  }
+  else
+  {
+    to->ShallowCopy(from);
   }
 }
 
@@ -420,7 +422,7 @@ void BlockSource::Read(
 {
   const Survey& survey = this->GetSurvey(step);
   auto blocks = vtk::TakeSmartPointer(survey.Blocks.Tree->NewInstance());
-  blocks->RecursiveShallowCopy(survey.Blocks.Tree);
+  CopyTree(survey.Blocks.Tree.Get(), blocks.Get());
   for (std::size_t i = first; i < last; ++i)
   {
     SetData(survey.Blocks, blocks, i, this->ReadBlock(step, i).Grid);
@@ -454,15 +456,17 @@ void BlockSource::Read(
     throw Failure("cannot be merged");
   }
   vtkWarningMacro(<< survey.Blocks.Files.size() << " blocks were merged into one grid");
+  InputOptions options = this->Options;
   vtkNew<vtkUnstructuredGrid> merged;
   merged->ShallowCopy(merge->GetOutput());
   if (last - first < survey.Blocks.Files.size())
   {
-    AddJoinArray(merged, survey.HasGlobalIds);
+    MarkJoins(merged, survey.HasGlobalIds);
+    options.Arrays.emplace_back(JoinArrayName);
+    MarkForms(merged, forms, survey.HasGlobalIds);
   }
-  MarkForms(merged, forms, survey.HasGlobalIds);
   Preparer::Prepare(
-    gatun::MakeCellInput(merged, false, gatun::GhostCells::Remove).Grid, this->Options, output);
+    gatun::MakeCellInput(merged, false, gatun::GhostCells::Remove).Grid, options, output);
   CheckMessages(this->IsOneFile ? survey.Blocks.Files.front() : this->Steps[step].Files.front(),
     this->Options.Quiet);
 }

@@ -58,7 +58,6 @@ private:
 
   struct Block;
 
-  void SetOptions(const InputOptions& options);
   Survey& GetSurvey(std::size_t step) { return this->Surveys[this->IsOneFile ? 0 : step]; }
   Block ReadBlock(std::size_t step, std::size_t number);
   void SurveyStep(std::size_t step);

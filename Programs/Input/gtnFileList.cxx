@@ -136,56 +136,6 @@ std::vector<double> TimesOf(const std::vector<SeriesStep>& steps)
 }
 
 //------------------------------------------------------------------------------
-bool IsPartList(const std::string& file)
-{
-  const std::string extension = ExtensionOf(file);
-  return extension == ".pvtu" || extension == ".pvtp";
-}
-
-//------------------------------------------------------------------------------
-std::vector<std::string> FindParts(const std::string& file)
-{
-  const std::string extension = ExtensionOf(file);
-  if (!IsPartList(file))
-  {
-    return { file };
-  }
-  CheckReadable(file);
-  vtkNew<vtkXMLDataParser> parser;
-  parser->SetFileName(file.c_str());
-  parser->Parse();
-  CheckMessages(file, true);
-  vtkXMLDataElement* root = parser->GetRootElement();
-  vtkXMLDataElement* grid = root && root->GetName() && !std::strcmp(root->GetName(), "VTKFile")
-    ? root->FindNestedElementWithName(extension == ".pvtu" ? "PUnstructuredGrid" : "PPolyData")
-    : nullptr;
-  if (!grid)
-  {
-    throw Failure(file, "is not a " + extension + " file");
-  }
-  std::vector<std::string> parts;
-  for (int i = 0; i < grid->GetNumberOfNestedElements(); ++i)
-  {
-    vtkXMLDataElement* element = grid->GetNestedElement(i);
-    if (!element->GetName() || std::strcmp(element->GetName(), "Piece") != 0)
-    {
-      continue;
-    }
-    const char* part = element->GetAttribute("Source");
-    if (!part)
-    {
-      throw Failure(file, "has a piece without a file");
-    }
-    parts.push_back((std::filesystem::path(file).parent_path() / part).string());
-  }
-  if (parts.empty())
-  {
-    throw Failure(file, "lists no files");
-  }
-  return parts;
-}
-
-//------------------------------------------------------------------------------
 bool IsFileList(const std::string& file)
 {
   const std::string extension = ExtensionOf(file);

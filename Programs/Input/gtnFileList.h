@@ -3,7 +3,7 @@
 #ifndef gtnFileList_h
 #define gtnFileList_h
 
-// ParaView's lists of files: .pvd, in XML, and .series, in JSON; and the parts of .pvtu files.
+// ParaView's lists of files: .pvd, in XML, and .series, in JSON.
 
 #include <string>
 #include <vector>
@@ -15,16 +15,11 @@ struct SeriesStep
 {
   double Time = 0;
   std::vector<std::string> Files; ///< the parts of the mesh
+  std::string List = {};          ///< the file that lists them, for messages
 };
 
 /** The times of steps. */
 std::vector<double> TimesOf(const std::vector<SeriesStep>& steps);
-
-/** Whether a file is a list of the parts of a mesh (.pvtu, .pvtp), by its extension. */
-bool IsPartList(const std::string& file);
-
-/** The files that such a list names; of others, the file itself. Throws Failure. */
-std::vector<std::string> FindParts(const std::string& file);
 
 /** Whether a file is a list of time steps (.pvd, .series), by its extension. */
 bool IsFileList(const std::string& file);

@@ -8,6 +8,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCharArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -148,7 +149,8 @@ const NumberMaps& GetMaps(const std::string& file)
 }
 
 /** Keeps the numbers of elements and nodes as arrays, if they tell something, and of the global
- * variables the values of the time step. VTK's reader has these at all steps. */
+ * variables the values of the time step. VTK's reader has these at all steps. Clears what it leaves
+ * unset behind the ends of strings. */
 class ExodusReader : public vtkExodusIIReader
 {
 public:
@@ -171,11 +173,13 @@ protected:
     vtkInformation* const info = outputVector->GetInformationObject(0);
     if (result != 0 && blocks)
     {
+      ClearTexts(blocks->GetFieldData());
       ForEachBlock(blocks,
         [&](vtkDataSet* block)
         {
           KeepNumbers(block->GetCellData(), "PedigreeElementId");
           KeepNumbers(block->GetPointData(), "PedigreeNodeId");
+          ClearTexts(block->GetFieldData());
           this->KeepStep(block->GetFieldData(), info);
         });
     }
@@ -183,6 +187,20 @@ protected:
   }
 
 private:
+  static void ClearTexts(vtkFieldData* field)
+  {
+    for (const char* name : { "QA_Records", "Info_Records" })
+    {
+      auto* const texts = vtkArrayDownCast<vtkCharArray>(field->GetArray(name));
+      const vtkIdType size = texts ? texts->GetNumberOfComponents() : 0;
+      for (vtkIdType i = 0; texts && i < texts->GetNumberOfTuples(); ++i)
+      {
+        char* const text = texts->GetPointer(i * size);
+        std::fill(std::find(text, text + size, '\0'), text + size, '\0');
+      }
+    }
+  }
+
   // Global ids would join the points of blocks. They stay as arrays with their names.
   static void KeepNumbers(vtkDataSetAttributes* attributes, const char* copy)
   {

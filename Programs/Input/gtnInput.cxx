@@ -7,6 +7,8 @@
 #include "gtnFailure.h"
 #include "gtnFileList.h"
 #include "gtnMessages.h"
+#include "gtnPartList.h"
+#include "gtnPartReader.h"
 #include "gtnPrepare.h"
 #include "gtnProgress.h"
 #include "gtnRangedSeries.h"
@@ -37,13 +39,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 namespace gtn
 {
 const char* const InputFormats =
   ".vtu .pvtu .vtk .vtm .vtpc .pvd .series .vtkhdf .vti .vts .vtr, Exodus "
   "(.e .exo .ex2), EnSight (.case), OpenFOAM (.foam), "
-  "CGNS, .gtn";
+  "CGNS, .gtn; with python3-meshio also .msh .med .inp .su2 .xdmf .bdf";
 const char* const SurfaceInputFormats = ".vtp .pvtp .vtk .stl .ply .obj .glb .gltf .gtn";
 
 //------------------------------------------------------------------------------
@@ -63,15 +66,15 @@ std::uint64_t SizeOfTuple(vtkFieldData* data)
 }
 
 // About the number of bytes of a file as a mesh in memory.
-std::uint64_t EstimateMesh(const std::string& file)
+std::uint64_t EstimateMesh(const std::string& file, const InputOptions& options)
 {
   CheckReadable(file);
   if (IsPartList(file))
   {
     std::uint64_t sum = 0;
-    for (const std::string& part : FindParts(file))
+    for (const std::string& part : FindParts(file, options))
     {
-      sum += EstimateMesh(part);
+      sum += EstimateMesh(part, options);
     }
     return sum;
   }
@@ -88,6 +91,24 @@ std::uint64_t EstimateMesh(const std::string& file)
     summary.Cells * (idBytes + 1 + SizeOfTuple(summary.Grid->GetCellData()));
 }
 
+// Takes the files that are missing out of the steps of a list, with those that have no others.
+void DropMissing(
+  const std::string& list, const InputOptions& options, std::vector<SeriesStep>& steps)
+{
+  std::vector<std::string> all;
+  for (const SeriesStep& step : steps)
+  {
+    all.insert(all.end(), step.Files.begin(), step.Files.end());
+  }
+  const std::vector<std::string> existing = FindExisting(list, all, options);
+  const std::set<std::string> known(existing.begin(), existing.end());
+  for (SeriesStep& step : steps)
+  {
+    std::erase_if(step.Files, [&](const std::string& file) { return !known.contains(file); });
+  }
+  std::erase_if(steps, [](const SeriesStep& step) { return step.Files.empty(); });
+}
+
 // Whether each step is in one file that lists blocks.
 bool AreBlocks(const std::vector<SeriesStep>& steps)
 {
@@ -95,6 +116,28 @@ bool AreBlocks(const std::vector<SeriesStep>& steps)
     std::all_of(steps.begin(), steps.end(),
       [](const SeriesStep& step)
       { return step.Files.size() == 1 && IsBlockList(step.Files.front()); });
+}
+
+// Throws Failure if some files, by their names, are surfaces and others are not.
+void RequireSameKind(const std::vector<std::string>& files)
+{
+  const std::string& first = files.front();
+  for (const std::string& file : files)
+  {
+    if (ExtensionOf(file) == ExtensionOf(first))
+    {
+      continue; // those differ only if somebody wants them to
+    }
+    CheckReadable(first);
+    CheckReadable(file);
+    const bool isSurface = IsSurfaceFile(file);
+    if (isSurface != IsSurfaceFile(first))
+    {
+      throw Failure(isSurface ? file : first,
+        "is a surface (vtkPolyData), and " + (isSurface ? first : file) +
+          " is not; they cannot be steps of one mesh: pack each by itself");
+    }
+  }
 }
 
 } // anonymous namespace
@@ -107,17 +150,22 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
   std::vector<SeriesStep>& steps = this->Steps;
   if (files.size() > 1)
   {
-    steps = StepsOfFiles(files, options.InPieces);
+    RequireSameKind(files);
+    steps = StepsOfFiles(files, options);
   }
   else if (IsFileList(this->Name))
   {
     steps = ReadFileList(this->Name);
+    DropMissing(this->Name, options, steps);
     for (SeriesStep& step : steps)
     {
       std::vector<std::string> parts;
+      step.List =
+        step.Files.size() == 1 && IsPartList(step.Files.front()) ? step.Files.front() : this->Name;
       for (const std::string& file : step.Files)
       {
-        const auto more = options.InPieces ? FindParts(file) : std::vector<std::string>{ file };
+        const auto more =
+          options.InPieces ? FindParts(file, options) : std::vector<std::string>{ file };
         parts.insert(parts.end(), more.begin(), more.end());
       }
       step.Files = parts;
@@ -125,10 +173,10 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
   }
   else if (options.InPieces && IsPartList(this->Name))
   {
-    steps.push_back({ 0, FindParts(this->Name) });
+    steps.push_back({ 0, FindParts(this->Name, options), this->Name });
     this->HasTime = false;
   }
-  else if (options.InPieces && IsBlockList(this->Name))
+  else if (IsBlockList(this->Name))
   {
     steps.push_back({ 0, { this->Name } });
     this->HasTime = false;
@@ -143,7 +191,7 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
     steps.push_back(
       { 0, std::vector<std::string>(CountExodusBlocks(this->Name, options.Sets), this->Name) });
   }
-  else if (options.InPieces && AreBlocks(steps))
+  else if (AreBlocks(steps))
   {
     vtkNew<BlockSource> blocks;
     blocks->SetSteps(steps, options, this->HasTime);
@@ -151,7 +199,7 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
     this->HasBlocks = true;
     for (SeriesStep& step : steps)
     {
-      step.Files = ReadBlockList(step.Files.front()).Files;
+      step.Files = ReadBlockList(step.Files.front(), options).Files;
     }
   }
   else if (!steps.empty())
@@ -163,7 +211,17 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
   else
   {
     CheckReadable(this->Name);
-    vtkSmartPointer<vtkAlgorithm> reader = MakeReader(this->Name, options.Sets);
+    vtkSmartPointer<vtkAlgorithm> reader;
+    if (IsPartList(this->Name))
+    {
+      vtkNew<PartReader> parts;
+      parts->SetFile(this->Name, options);
+      reader = parts;
+    }
+    else
+    {
+      reader = MakeReader(this->Name, options.Sets);
+    }
     if (!reader)
     {
       throw Failure(this->Name,
@@ -243,6 +301,19 @@ bool Input::CanSpool() const
                              : !this->HasBlocks &&
       std::all_of(this->Steps.begin(), this->Steps.end(),
         [&](const SeriesStep& step) { return step.Files.size() == 1 && isOne(step.Files[0]); });
+}
+
+//------------------------------------------------------------------------------
+bool Input::IsInFiles() const
+{
+  const auto isSplit = [](const SeriesStep& step)
+  {
+    return step.Files.size() > 1 ||
+      std::any_of(
+        step.Files.begin(), step.Files.end(), [](auto& file) { return IsPartList(file); });
+  };
+  return !this->HasBlocks &&
+    (IsPartList(this->Name) || std::any_of(this->Steps.begin(), this->Steps.end(), isSplit));
 }
 
 //------------------------------------------------------------------------------
@@ -333,7 +404,7 @@ std::uint64_t Input::EstimateLargestPart() const
   std::uint64_t largest = 0;
   for (const std::string& file : files)
   {
-    largest = std::max(largest, EstimateMesh(file));
+    largest = std::max(largest, EstimateMesh(file, this->Options));
   }
   return withCopy(largest);
 }
@@ -361,7 +432,7 @@ vtkUnstructuredGrid* Input::ReadGrid(std::size_t step, Progress& progress)
   auto* const grid = vtkUnstructuredGrid::SafeDownCast(this->Read(step, progress));
   if (!grid)
   {
-    throw Failure(this->Name, "is a surface (vtkPolyData), without 3D cells");
+    throw Failure(this->Name, DescribeSurface());
   }
   return grid;
 }

@@ -58,6 +58,13 @@ public:
   /** Divides the mesh into pieces on the disk, which the algorithm makes from then on. Throws
    * Failure, gatun::Error and Interrupted. */
   void Spool(SpoolSettings settings, Progress& progress);
+
+  /** Whether the points of several files of a mesh are joined where it is packed in pieces. */
+  bool JoinsFiles() const { return this->Options.InPieces && !this->Spooled && !this->HasBlocks; }
+
+  /** Whether a step consists of several files that are no blocks. */
+  bool IsInFiles() const;
+
   bool IsSpooled() const { return this->Spooled != nullptr; }
 
   /** Returns the number of pieces, or else of files of each step. Throws Failure if the steps

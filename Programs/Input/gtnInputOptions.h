@@ -24,6 +24,8 @@ struct InputOptions
   bool Sets = false;               ///< also side sets, node sets, patches, boundaries
   bool NamesSets = false;          ///< say that they are left out, if they are
   bool InPieces = false;           ///< the files of a .pvtu or .pvd file are read one by one
+  bool SkipMissing = false;        ///< go on without files that a list names and that are missing
+  bool KeepApart = false;          ///< with InPieces: do not join points of different files
   bool Quiet = false;              ///< no warnings
 
   /** Receives what is left out though no option says so, in place of warnings. May be null. */

@@ -4,6 +4,7 @@
 #include "gtnPrepare.h"
 
 #include "gtnFailure.h"
+#include "gtnReaders.h"
 #include "gtnText.h"
 
 #include "gatunArrayBridge.h"
@@ -22,6 +23,7 @@
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkErrorCode.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -30,6 +32,7 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -80,10 +83,24 @@ void MakePointsReal(vtkUnstructuredGrid* grid)
   grid->SetPoints(real);
 }
 
+// Points of the grid have the type of those of the data. Origin and spacing of an image are double,
+// and so are points of coordinates along the axes that are not float.
+int FindPrecision(vtkDataSet* data)
+{
+  const auto isFloat = [](vtkDataArray* axis) { return axis && axis->GetDataType() == VTK_FLOAT; };
+  auto* const rectilinear = vtkRectilinearGrid::SafeDownCast(data);
+  const bool areFloat = rectilinear && isFloat(rectilinear->GetXCoordinates()) &&
+    isFloat(rectilinear->GetYCoordinates()) && isFloat(rectilinear->GetZCoordinates());
+  return (rectilinear && !areFloat) || vtkImageData::SafeDownCast(data)
+    ? vtkAlgorithm::DOUBLE_PRECISION
+    : vtkAlgorithm::DEFAULT_PRECISION;
+}
+
 vtkSmartPointer<vtkUnstructuredGrid> ToUnstructured(vtkDataSet* data)
 {
   vtkNew<vtkAppendFilter> append;
   append->AddInputData(data);
+  append->SetOutputPointsPrecision(FindPrecision(data));
   append->Update();
   auto* const points = vtkPointSet::SafeDownCast(data);
   if (points && points->GetPoints() && append->GetOutput()->GetPoints())
@@ -286,7 +303,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Preparer::Convert(vtkUnstructuredGrid* grid
     const gatun::TetInput tets = gatun::MakeTetInput(grid);
     if (tets.Grid->GetNumberOfCells() == 0 && !tets.LeftOut.empty())
     {
-      throw Failure("has no 3D cells, only " + tets.LeftOut);
+      throw Failure(DescribeFlatCells(tets.LeftOut));
     }
     cells = { tets.Grid, tets.Warnings };
   }
@@ -319,7 +336,7 @@ void Preparer::MakeOutput(vtkDataObject* input, vtkDataObject* output)
   {
     if (this->Options.Split || (this->Options.VolumesOnly && !this->Options.SurfacesToo))
     {
-      throw Failure("is a surface (vtkPolyData), without 3D cells");
+      throw Failure(DescribeSurface());
     }
     grid = gatun::MakeSurfaceGrid(surface);
   }

@@ -4,14 +4,18 @@
 #include "gtnReaders.h"
 
 #include "gtnFailure.h"
+#include "gtnFileKind.h"
 #include "gtnFormats.h"
+#include "gtnGridReader.h"
 #include "gtnLibrary.h"
+#include "gtnMeshio.h"
 #include "gtnMessages.h"
 #include "gtnObj.h"
 #include "gtnReadable.h"
 #include "gtnText.h"
-#include "gtnXMLKeys.h"
+#include "gtnXMLPieces.h"
 
+#include "gatunDescriptionText.h"
 #include "gatunFileReader.h"
 #include "vtkGatunHartleyReader.h"
 #include "vtkGatunReader.h"
@@ -32,8 +36,6 @@
 #include "vtkXMLGenericDataObjectReader.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLPartitionedDataSetCollectionReader.h"
-#include "vtkXMLPolyDataReader.h"
-#include "vtkXMLUnstructuredGridReader.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -41,6 +43,7 @@
 #include <initializer_list>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace gtn
 {
@@ -93,10 +96,7 @@ vtkSmartPointer<vtkAlgorithm> MakeLegacy(const std::string& file)
 // The Exodus library prints, at length, what it thinks of other files.
 void CheckIsNetCDF(const std::string& file)
 {
-  char start[4] = {};
-  std::ifstream(file, std::ios::binary).read(start, sizeof(start));
-  const std::string_view magic(start, sizeof(start));
-  if (!magic.starts_with("CDF") && magic != "\x89HDF")
+  if (!IsNetCDF(file))
   {
     throw Failure(file, "is not an Exodus file");
   }
@@ -132,10 +132,7 @@ vtkSmartPointer<vtkAlgorithm> MakeEnSight(const std::string& file)
 // The CGNS library ends the program if it cannot open a file.
 void CheckIsCGNS(const std::string& file)
 {
-  char start[8] = {};
-  std::ifstream(file, std::ios::binary).read(start, sizeof(start));
-  const std::string_view magic(start, sizeof(start));
-  if (!magic.starts_with("\x89HDF") && !magic.starts_with("@(#)ADF"))
+  if (!HasCGNSContent(file))
   {
     throw Failure(file, "is not a CGNS file");
   }
@@ -155,13 +152,23 @@ void CheckIsReconstructed(const std::string& file)
   }
 }
 
+// VTK 9.6 never decomposes polyhedra.
+template <typename Reader>
+void KeepPolyhedra(Reader* reader)
+{
+  if constexpr (requires { reader->DecomposePolyhedraOff(); })
+  {
+    reader->DecomposePolyhedraOff();
+  }
+}
+
 // The file is empty; the case is in the folder around it.
 vtkSmartPointer<vtkAlgorithm> MakeOpenFOAM(const std::string& file, bool sets)
 {
   CheckIsReconstructed(file);
   vtkNew<vtkOpenFOAMReader> reader;
   reader->SetFileName(file.c_str());
-  reader->DecomposePolyhedraOff();
+  KeepPolyhedra(reader.Get());
   reader->CreateCellToPointOff();
   reader->CacheMeshOff();
   reader->UpdateInformation();
@@ -199,10 +206,9 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
   }
   if (extension == ".vtu")
   {
-    return Make<WithUnknownKeys<vtkXMLUnstructuredGridReader>>(file);
+    return MakeGridReader(file);
   }
-  if (IsOneOf(extension,
-        { ".pvtu", ".pvtp", ".vtm", ".vtmb", ".vti", ".vts", ".vtr", ".pvti", ".pvts", ".pvtr" }))
+  if (IsOneOf(extension, { ".vtm", ".vtmb", ".vti", ".vts", ".vtr", ".pvti", ".pvts", ".pvtr" }))
   {
     return Make<vtkXMLGenericDataObjectReader>(file);
   }
@@ -234,6 +240,10 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
   if (IsOneOf(extension, { ".vtkhdf", ".hdf" }))
   {
     return GetFormatReaders().MakeHDF(file);
+  }
+  if (IsMeshioFile(file))
+  {
+    return MakeMeshioReader(file);
   }
   return MakeSurfaceReader(file);
 }
@@ -283,18 +293,48 @@ bool IsSurfaceFile(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
+std::string DescribeFlatCells(const std::string& cells)
+{
+  return "has no 3D cells, only " + cells +
+    "; save these as a surface (.vtp), such as by Extract Surface of ParaView, to draw or simplify "
+    "them";
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeSurface()
+{
+  return "is a surface (vtkPolyData), without 3D cells; gtn render and gtn simplify take surfaces";
+}
+
+//------------------------------------------------------------------------------
 void RequireGrid(const gatun::FileReader& file)
 {
   if (file.IsSurface())
   {
-    throw Failure(file.GetPath(), "is a surface (vtkPolyData), without 3D cells");
+    throw Failure(file.GetPath(), DescribeSurface());
+  }
+  if (file.GetNumberOfTets() == 0 && file.GetNumberOfCells() > 0)
+  {
+    std::vector<std::string> cells;
+    for (const gatun::CellTypeCount& type : file.GetCellTypes())
+    {
+      cells.push_back(std::to_string(type.Cells) + " " + gatun::NameOfCellType(type.Type));
+    }
+    throw Failure(file.GetPath(), DescribeFlatCells(Join(cells)));
   }
 }
 
 //------------------------------------------------------------------------------
 bool IsExodus(const std::string& file)
 {
-  return IsOneOf(ExtensionOf(file), { ".e", ".exo", ".ex2", ".exii", ".g" });
+  const std::string extension = ExtensionOf(file);
+  // Others are known by their names: a file of Exodus may be called mesh.e.4.0 or mesh.e-s002.
+  const std::initializer_list<std::string_view> others{ ".gtn", ".vtu", ".pvtu", ".vtp", ".pvtp",
+    ".vtm", ".vtmb", ".vti", ".vts", ".vtr", ".pvti", ".pvts", ".pvtr", ".vtpc", ".vtk", ".case",
+    ".encas", ".foam", ".cgns", ".vtkhdf", ".hdf", ".stl", ".ply", ".obj", ".glb", ".gltf", ".pvd",
+    ".series" };
+  return IsOneOf(extension, { ".e", ".exo", ".ex2", ".exii", ".g", ".gen" }) ||
+    (!IsOneOf(extension, others) && HasExodusContent(file));
 }
 
 //------------------------------------------------------------------------------
@@ -388,7 +428,7 @@ vtkSmartPointer<vtkAlgorithm> MakeSurfaceReader(const std::string& file)
   }
   if (extension == ".vtp")
   {
-    return Make<WithUnknownKeys<vtkXMLPolyDataReader>>(file);
+    return Make<XMLSurfaceReader>(file);
   }
   if (extension == ".vtk")
   {

@@ -34,10 +34,16 @@ std::vector<std::string> ListSets(const std::string& file);
  * have the same extension. */
 bool IsSurfaceFile(const std::string& file);
 
-/** Throws Failure if a .gtn file holds a surface. */
+/** What a message says of a mesh without 3D cells, which are named, and of a surface in place of a
+ * mesh. */
+std::string DescribeFlatCells(const std::string& cells);
+std::string DescribeSurface();
+
+/** Throws Failure if a .gtn file holds a surface, or no 3D cells but others. */
 void RequireGrid(const gatun::FileReader& file);
 
-/** Whether a file is an Exodus file, by its extension. */
+/** Whether a file is an Exodus file, by its extension, or by its content if no other reader has the
+ * extension. */
 bool IsExodus(const std::string& file);
 
 /** The number of blocks and sets of an Exodus file. Throws Failure. */

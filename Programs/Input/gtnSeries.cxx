@@ -7,6 +7,7 @@
 #include "gtnFailure.h"
 #include "gtnFileList.h"
 #include "gtnMessages.h"
+#include "gtnPartReader.h"
 #include "gtnPrepare.h"
 #include "gtnReadable.h"
 #include "gtnReaders.h"
@@ -22,6 +23,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -37,31 +39,8 @@ vtkStandardNewMacro(SeriesReader);
 namespace
 {
 
-vtkSmartPointer<vtkAlgorithm> OpenOne(const std::string& file, bool sets)
-{
-  CheckReadable(file);
-  if (IsFileList(file))
-  {
-    throw Failure(file, "a list of files cannot be part of another");
-  }
-  vtkSmartPointer<vtkAlgorithm> reader = MakeReader(file, sets);
-  if (!reader)
-  {
-    throw Failure(file, "no reader for this extension");
-  }
-  reader->UpdateInformation();
-  CheckMessages(file, false);
-  vtkInformation* info = reader->GetOutputInformation(0);
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  if (info->Has(Pipeline::TIME_STEPS()) && info->Length(Pipeline::TIME_STEPS()) > 1)
-  {
-    throw Failure(file, "has several time steps itself, and cannot be a step of a series");
-  }
-  return reader;
-}
-
 // NaN if the file does not tell.
-double TimeValueOf(const std::string& file)
+double TimeValueOf(const std::string& file, const InputOptions& options)
 {
   vtkSmartPointer<vtkDataObject> data;
   if (ExtensionOf(file) == ".vtu")
@@ -70,10 +49,10 @@ double TimeValueOf(const std::string& file)
   }
   else
   {
-    vtkSmartPointer<vtkAlgorithm> reader = OpenOne(file, false);
+    vtkSmartPointer<vtkAlgorithm> reader = OpenFile(file, options);
     // One block tells as much as all.
     reader->UpdatePiece(
-      0, IsBlockList(file) ? static_cast<int>(ReadBlockList(file).Files.size()) : 1, 0);
+      0, IsBlockList(file) ? static_cast<int>(ReadBlockList(file, options).Files.size()) : 1, 0);
     CheckMessages(file, true);
     data = reader->GetOutputDataObject(0);
   }
@@ -85,17 +64,19 @@ double TimeValueOf(const std::string& file)
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
-std::vector<SeriesStep> StepsOfFiles(const std::vector<std::string>& files, bool inPieces)
+std::vector<SeriesStep> StepsOfFiles(
+  const std::vector<std::string>& files, const InputOptions& options)
 {
   std::vector<SeriesStep> steps;
   bool hasTimes = true;
   for (const std::string& file : files)
   {
     SeriesStep step;
-    step.Files = inPieces ? FindParts(file) : std::vector<std::string>{ file };
+    step.List = file;
+    step.Files = options.InPieces ? FindParts(file, options) : std::vector<std::string>{ file };
     if (hasTimes)
     {
-      step.Time = TimeValueOf(step.Files.front());
+      step.Time = TimeValueOf(step.Files.front(), options);
       hasTimes = std::isfinite(step.Time) && (steps.empty() || steps.back().Time < step.Time);
     }
     else
@@ -127,6 +108,7 @@ void SeriesReader::SetSteps(
   this->Steps = steps;
   this->Times = hasTime ? TimesOf(steps) : std::vector<double>();
   this->Options = options;
+  this->Forms.clear();
   const auto isOne = [&](const SeriesStep& step)
   { return options.InPieces || step.Files.size() == 1; };
   this->Surface =
@@ -158,7 +140,8 @@ int SeriesReader::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkInformation* info = outputVector->GetInformationObject(0);
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  const SeriesStep& step = this->Steps[FindStep(info, this->Times)];
+  const std::size_t number = FindStep(info, this->Times);
+  const SeriesStep& step = this->Steps[number];
   std::vector<std::string> files = step.Files;
   const auto pieces = static_cast<std::size_t>(std::max(1,
     info->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) ? info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())
@@ -172,7 +155,18 @@ int SeriesReader::RequestData(vtkInformation* vtkNotUsed(request),
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   try
   {
-    this->Read(files, output);
+    // The pieces of a step are asked for one by one, and each needs what all files declare.
+    if (this->Options.InPieces && !this->Forms.contains(number))
+    {
+      this->Forms.try_emplace(
+        number, step.List.empty() ? step.Files.front() : step.List, step.Files, this->Options);
+    }
+    this->Read(files, this->Forms[number], output);
+    if (auto* const piece = vtkPointSet::SafeDownCast(output);
+        piece && pieces > 1 && this->Options.KeepApart && piece->GetNumberOfPoints() > 0)
+    {
+      AddJoinArray(piece, nullptr);
+    }
   }
   catch (const std::exception& error)
   {
@@ -188,23 +182,22 @@ int SeriesReader::RequestData(vtkInformation* vtkNotUsed(request),
 
 //------------------------------------------------------------------------------
 // Reads the parts of a mesh.
-void SeriesReader::Read(const std::vector<std::string>& files, vtkDataObject* output)
+void SeriesReader::Read(
+  const std::vector<std::string>& files, const PartForm& form, vtkDataObject* output)
 {
   if (files.empty())
   {
     return;
   }
-  if (this->Surface && files.size() > 1)
+  if (this->Options.InPieces && files.size() > 1)
   {
-    throw Failure(files.front(), "surfaces in several files are packed one by one: as many pieces");
+    Preparer::Prepare(ReadParts(files, form, this->Options), this->Options, output);
+    return;
   }
   vtkNew<vtkMultiBlockDataSet> parts;
   for (const std::string& file : files)
   {
-    vtkSmartPointer<vtkAlgorithm> reader = OpenOne(file, this->Options.Sets);
-    reader->Update();
-    CheckMessages(file, this->Options.Quiet);
-    parts->SetBlock(parts->GetNumberOfBlocks(), reader->GetOutputDataObject(0));
+    parts->SetBlock(parts->GetNumberOfBlocks(), ReadPart(file, form, this->Options));
   }
   Preparer::Prepare(files.size() > 1 ? parts.Get() : parts->GetBlock(0), this->Options, output);
 }

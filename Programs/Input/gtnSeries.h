@@ -7,17 +7,21 @@
 
 #include "gtnFileList.h"
 #include "gtnInputOptions.h"
+#include "gtnPartList.h"
 
 #include "vtkDataObjectAlgorithm.h"
 
+#include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace gtn
 {
 /** Files as steps: at the times in their field data (TimeValue) if these ascend, or else 0, 1, 2
- * and so on. inPieces: whether the parts of a file are files of the step. Throws Failure. */
-std::vector<SeriesStep> StepsOfFiles(const std::vector<std::string>& files, bool inPieces);
+ * and so on. Throws Failure. */
+std::vector<SeriesStep> StepsOfFiles(
+  const std::vector<std::string>& files, const InputOptions& options);
 
 /** Reads the files of the time asked for, by readers for their formats, as a grid, or as a surface
  * if the first file is one and no step has several of them to be read together. If a piece is asked
@@ -47,12 +51,13 @@ protected:
     vtkInformationVector* outputVector) override;
 
 private:
-  void Read(const std::vector<std::string>& files, vtkDataObject* output);
+  void Read(const std::vector<std::string>& files, const PartForm& form, vtkDataObject* output);
 
   bool Surface = false;
   std::vector<SeriesStep> Steps;
   InputOptions Options;
   std::vector<double> Times;
+  std::map<std::size_t, PartForm> Forms; // of the files of each step, if they are its parts
 };
 }
 

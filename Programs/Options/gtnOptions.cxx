@@ -40,6 +40,14 @@ void AddNoGhosts(CLI::App* command, InputOptions& input, const std::string& desc
 }
 
 //------------------------------------------------------------------------------
+void AddSkipMissing(CLI::App* command, InputOptions& input)
+{
+  command->add_flag("--skip-missing", input.SkipMissing,
+    "Go on without the files that a .pvtu, .pvtp, .vtm, .vtpc, .pvd or .series file lists and that "
+    "do not exist. They are named (default: such a list is refused)");
+}
+
+//------------------------------------------------------------------------------
 void AddSets(CLI::App* command, InputOptions& input)
 {
   command->add_flag("--sets", input.Sets,

@@ -25,6 +25,9 @@ void AddSkip(CLI::App* command, InputOptions& input, const std::string& descript
 /** --no-ghosts: whether ghost cells are not wanted. */
 void AddNoGhosts(CLI::App* command, InputOptions& input, const std::string& description);
 
+/** --skip-missing: whether files that a list names may be missing. */
+void AddSkipMissing(CLI::App* command, InputOptions& input);
+
 /** --sets: whether the side sets and node sets of an Exodus file are wanted. */
 void AddSets(CLI::App* command, InputOptions& input);
 }

@@ -110,6 +110,7 @@ TemporaryFile::TemporaryFile(const std::string& file)
   }
   this->Name =
     (path.parent_path() / fmt::format("{}.{:08x}{}", stem.string(), random(), extension)).string();
+  this->Scratch.emplace(this->Name);
 }
 
 //------------------------------------------------------------------------------
@@ -131,6 +132,7 @@ void TemporaryFile::Commit()
   {
     throw Failure(this->File, error.message());
   }
+  this->Scratch.reset();
   this->Name.clear();
 }
 }

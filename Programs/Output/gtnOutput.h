@@ -3,6 +3,9 @@
 #ifndef gtnOutput_h
 #define gtnOutput_h
 
+#include "gtnScratch.h"
+
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -40,6 +43,7 @@ public:
 private:
   std::string File;
   std::string Name;
+  std::optional<ScratchName> Scratch;
 };
 }
 

@@ -65,7 +65,7 @@ void WriteVtp(
   CheckWritten(writer, good, file);
 }
 
-void WriteLegacy(vtkPolyData* surface, const std::string& file, Progress& progress)
+void WriteLegacySurface(vtkPolyData* surface, const std::string& file, Progress& progress)
 {
   vtkNew<vtkPolyDataWriter> writer;
   writer->SetInputData(surface);
@@ -303,7 +303,7 @@ void WriteSurface(
     }
     else
     {
-      const auto write = extension == ".vtk" ? WriteLegacy
+      const auto write = extension == ".vtk" ? WriteLegacySurface
         : extension == ".stl"                ? WriteStl
         : extension == ".ply"                ? WritePly
                                              : WriteObj;

@@ -7,6 +7,7 @@
 
 #include "gatunArrayBridge.h"
 #include "gatunFaceStream.h"
+#include "gatunNewArray.h"
 #include "vtkGatunWriter.h"
 
 #include "vtkAbstractArray.h"
@@ -45,7 +46,7 @@ std::uint64_t SpooledMesh::GetLargestPiece() const
 void SpooledMesh::FillArray(vtkDataArray* array, const SpooledArray& from, std::size_t piece) const
 {
   const std::size_t stream = from.FirstStream + piece;
-  array->SetNumberOfTuples(static_cast<vtkIdType>(this->File.GetSize(stream) / from.TupleBytes));
+  gatun::SizeArray(array, static_cast<vtkIdType>(this->File.GetSize(stream) / from.TupleBytes));
   this->File.Read(stream, 0,
     { static_cast<std::uint8_t*>(array->GetVoidPointer(0)),
       static_cast<std::size_t>(this->File.GetSize(stream)) });
@@ -61,7 +62,7 @@ void SpooledMesh::FillCells(vtkUnstructuredGrid* grid, std::size_t piece) const
   vtkNew<Array> corners;
   this->FillArray(types, { this->Types, 1 }, piece);
   const auto sizes = this->File.ReadAll<std::uint32_t>(this->Sizes + piece);
-  ends->SetNumberOfValues(static_cast<vtkIdType>(sizes.size()) + 1);
+  gatun::SizeArray(ends, static_cast<vtkIdType>(sizes.size()) + 1);
   Id* end = ends->GetPointer(0);
   *end = 0;
   for (const std::uint32_t size : sizes)
@@ -71,7 +72,7 @@ void SpooledMesh::FillCells(vtkUnstructuredGrid* grid, std::size_t piece) const
   }
   {
     const auto points = this->File.ReadAll<std::uint32_t>(this->Corners + piece);
-    corners->SetNumberOfValues(static_cast<vtkIdType>(points.size()));
+    gatun::SizeArray(corners, static_cast<vtkIdType>(points.size()));
     std::copy(points.begin(), points.end(), corners->GetPointer(0));
   }
   vtkNew<vtkCellArray> cells;
@@ -93,10 +94,10 @@ void SpooledMesh::FillFaces(vtkUnstructuredGrid* grid, std::size_t piece,
   const auto sizes = this->File.ReadAll<std::uint32_t>(this->FaceSizes + piece);
   const auto values = this->File.ReadAll<std::uint32_t>(this->Faces + piece);
   vtkNew<vtkIdTypeArray> faces;
-  faces->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  gatun::SizeArray(faces, static_cast<vtkIdType>(values.size()));
   std::copy(values.begin(), values.end(), faces->GetPointer(0));
   vtkNew<vtkIdTypeArray> begins;
-  begins->SetNumberOfValues(static_cast<vtkIdType>(sizes.size()));
+  gatun::SizeArray(begins, static_cast<vtkIdType>(sizes.size()));
   vtkIdType at = 0;
   for (std::size_t i = 0; i < sizes.size(); ++i)
   {
@@ -116,7 +117,7 @@ void SpooledMesh::FillJoinArray(vtkUnstructuredGrid* grid, std::size_t piece) co
   const auto marks = piece < this->FirstUnused
     ? this->File.ReadAll<std::uint8_t>(this->Shared + piece)
     : std::vector<std::uint8_t>(points.size());
-  numbers->SetNumberOfValues(static_cast<vtkIdType>(points.size()));
+  gatun::SizeArray(numbers, static_cast<vtkIdType>(points.size()));
   std::transform(points.begin(), points.end(), marks.begin(), numbers->GetPointer(0),
     [](std::uint32_t point, std::uint8_t mark) { return mark != 0 ? vtkTypeInt64{ point } : -1; });
   grid->GetPointData()->AddArray(numbers);

@@ -5,31 +5,12 @@
 
 // Information keys in VTK's XML files that only the program that wrote them defines.
 
-#include "vtkNew.h"
-#include "vtkObjectFactory.h"
-#include "vtkSetGet.h"
-
 class vtkXMLDataElement;
 
 namespace gtn
 {
 /** Makes keys of texts for those in an element that VTK does not know; it would leave them out. */
 void MakeUnknownKeys(vtkXMLDataElement* element);
-
-/** A reader of XML files that knows them. */
-template <typename Reader>
-class WithUnknownKeys : public Reader
-{
-public:
-  static WithUnknownKeys* New() { VTK_STANDARD_NEW_BODY(WithUnknownKeys); }
-
-protected:
-  int ReadPrimaryElement(vtkXMLDataElement* element) override
-  {
-    MakeUnknownKeys(element);
-    return this->Reader::ReadPrimaryElement(element);
-  }
-};
 }
 
 #endif

@@ -7,7 +7,7 @@
 #include "gtnMessages.h"
 #include "gtnReadable.h"
 #include "gtnText.h"
-#include "gtnXMLKeys.h"
+#include "gtnXMLPieces.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellData.h"
@@ -32,7 +32,7 @@
 namespace gtn
 {
 /** Reads everything but the points, cells and values. Gives the elements of the file. */
-class XMLHeaderReader : public WithUnknownKeys<vtkXMLUnstructuredGridReader>
+class XMLHeaderReader : public XMLPieceReader<vtkXMLUnstructuredGridReader>
 {
 public:
   static XMLHeaderReader* New();
@@ -80,13 +80,8 @@ struct XMLMesh::Piece
   std::unique_ptr<XMLArray> Connectivity;
   std::unique_ptr<XMLArray> Offsets;
   std::unique_ptr<XMLArray> Types;
-  std::unique_ptr<XMLArray> Faces; // null if there are no polyhedra
-  std::unique_ptr<XMLArray> FaceOffsets;
+  std::unique_ptr<XMLFaces> Faces;                  // null if there are no polyhedra
   std::vector<std::unique_ptr<XMLArray>> Arrays[2]; // of points and cells
-
-  // The cell behind those whose faces were read last, and where these end.
-  std::uint64_t NextCell = 0;
-  std::int64_t FaceEnd = 0;
 };
 
 namespace
@@ -291,12 +286,8 @@ void XMLMesh::OpenPiece(int number)
       this->WideIds = this->WideIds || vtkDataArray::GetDataTypeSize(array->GetType()) == 8;
     }
   }
-  if (piece.Cells > 0 && FindArray(cells, "faces") && FindArray(cells, "faceoffsets"))
-  {
-    piece.Faces = this->OpenArray(cells, "faces", 0);
-    piece.FaceOffsets = this->OpenArray(cells, "faceoffsets", 0);
-    this->WithPolyhedra = true;
-  }
+  piece.Faces = piece.Cells > 0 ? this->OpenFaces(cells, piece.FirstCell) : nullptr;
+  this->WithPolyhedra = this->WithPolyhedra || piece.Faces;
   for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
   {
     vtkFieldData* data = DataOf(this->Template, association);
@@ -316,6 +307,31 @@ void XMLMesh::OpenPiece(int number)
     }
   }
   this->Pieces.push_back(std::move(piece));
+}
+
+//------------------------------------------------------------------------------
+// The faces of polyhedra as version 2.3 has them, or as earlier ones do, or null.
+std::unique_ptr<XMLFaces> XMLMesh::OpenFaces(vtkXMLDataElement* cells, std::uint64_t firstCell)
+{
+  const auto fail = [this, firstCell](std::uint64_t cell) { this->FailFaces(firstCell + cell); };
+  const auto open = [this, cells](const char* name) { return this->OpenArray(cells, name, 0); };
+  if (FindArray(cells, "face_connectivity"))
+  {
+    return XMLFaces::FromLists({ open("face_connectivity"), open("face_offsets"),
+                                 open("polyhedron_to_faces"), open("polyhedron_offsets") },
+      fail);
+  }
+  if (FindArray(cells, "faces") && FindArray(cells, "faceoffsets"))
+  {
+    return XMLFaces::FromStream(open("faces"), open("faceoffsets"), fail);
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+void XMLMesh::FailFaces(std::uint64_t cell) const
+{
+  throw Failure(this->File, "the faces of cell " + std::to_string(cell) + " are wrong");
 }
 
 //------------------------------------------------------------------------------
@@ -468,48 +484,25 @@ void XMLMesh::ReadCells(std::uint64_t begin, std::size_t count, RangedCells& cel
 }
 
 //------------------------------------------------------------------------------
-void XMLMesh::ReadFaces(Piece& piece, std::uint64_t begin, std::size_t count, RangedCells& cells)
+void XMLMesh::ReadFaces(
+  const Piece& piece, std::uint64_t begin, std::size_t count, RangedCells& cells)
 {
   cells.FaceSizes.resize(count);
   if (!piece.Faces)
   {
     return;
   }
-  if (begin == 0)
-  {
-    piece.NextCell = 0;
-    piece.FaceEnd = 0;
-  }
-  if (begin != piece.NextCell)
-  {
-    throw Failure(this->File, "has to be read in order");
-  }
-  std::vector<std::int64_t> ends;
-  piece.FaceOffsets->ReadAs(begin, count, ends);
-  const std::int64_t first = piece.FaceEnd;
+  std::vector<std::size_t> ends;
+  piece.Faces->Read(begin, count, this->Values, ends);
+  std::size_t from = 0;
   for (std::size_t i = 0; i < count; ++i)
   {
-    // Cells without faces have -1.
-    if (ends[i] >= 0 &&
-      (ends[i] < piece.FaceEnd || static_cast<std::uint64_t>(ends[i]) > piece.Faces->GetSize()))
+    if (ends[i] > from)
     {
-      throw Failure(this->File,
-        "the faces of cell " + std::to_string(piece.FirstCell + begin + i) + " are wrong");
-    }
-    piece.FaceEnd = std::max(piece.FaceEnd, ends[i]);
-  }
-  piece.Faces->ReadAs(static_cast<std::uint64_t>(first),
-    static_cast<std::size_t>(piece.FaceEnd - first), this->Values);
-  auto from = this->Values.begin();
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    if (ends[i] >= 0)
-    {
-      const auto to = this->Values.begin() + (ends[i] - first);
       const std::size_t before = cells.Faces.size();
-      this->AppendFaces(piece, begin + i, { from, to }, cells);
+      this->AppendFaces(piece, begin + i, { this->Values.data() + from, ends[i] - from }, cells);
       cells.FaceSizes[i] = static_cast<std::uint32_t>(cells.Faces.size() - before);
-      from = to;
+      from = ends[i];
     }
     if (cells.Types[i] == VTK_POLYHEDRON && cells.FaceSizes[i] == 0)
     {
@@ -517,7 +510,6 @@ void XMLMesh::ReadFaces(Piece& piece, std::uint64_t begin, std::size_t count, Ra
         "the polyhedron " + std::to_string(piece.FirstCell + begin + i) + " has no faces");
     }
   }
-  piece.NextCell = begin + count;
 }
 
 //------------------------------------------------------------------------------
@@ -525,17 +517,12 @@ void XMLMesh::ReadFaces(Piece& piece, std::uint64_t begin, std::size_t count, Ra
 void XMLMesh::AppendFaces(const Piece& piece, std::uint64_t cell,
   std::span<const std::int64_t> values, RangedCells& cells) const
 {
-  const auto fail = [&]
-  {
-    throw Failure(
-      this->File, "the faces of cell " + std::to_string(piece.FirstCell + cell) + " are wrong");
-  };
   std::size_t at = 0;
   const auto next = [&](std::uint64_t most)
   {
     if (at == values.size() || values[at] < 0 || static_cast<std::uint64_t>(values[at]) > most)
     {
-      fail();
+      this->FailFaces(piece.FirstCell + cell);
     }
     return static_cast<std::uint32_t>(values[at++]);
   };
@@ -552,7 +539,7 @@ void XMLMesh::AppendFaces(const Piece& piece, std::uint64_t cell,
   }
   if (at != values.size())
   {
-    fail();
+    this->FailFaces(piece.FirstCell + cell);
   }
 }
 }

@@ -7,6 +7,7 @@
 
 #include "gtnRangedMesh.h"
 #include "gtnXMLArray.h"
+#include "gtnXMLFaces.h"
 
 #include "vtkSmartPointer.h"
 
@@ -68,8 +69,10 @@ private:
   [[noreturn]] void Refuse(const std::string& what) const;
   void OpenPiece(int number);
   std::unique_ptr<XMLArray> OpenArray(vtkXMLDataElement* parent, const char* name, int type);
+  std::unique_ptr<XMLFaces> OpenFaces(vtkXMLDataElement* cells, std::uint64_t firstCell);
+  [[noreturn]] void FailFaces(std::uint64_t cell) const;
   std::size_t CutCells(const Piece& piece, std::uint64_t begin, std::size_t count);
-  void ReadFaces(Piece& piece, std::uint64_t begin, std::size_t count, RangedCells& cells);
+  void ReadFaces(const Piece& piece, std::uint64_t begin, std::size_t count, RangedCells& cells);
   void AppendFaces(const Piece& piece, std::uint64_t cell, std::span<const std::int64_t> values,
     RangedCells& cells) const;
 

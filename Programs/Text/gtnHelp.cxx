@@ -79,10 +79,25 @@ std::vector<const CLI::App*> CommandsOf(const CLI::App& app)
   return app.get_subcommands([](const CLI::App*) { return true; });
 }
 
+namespace
+{
+// CLI11 2.6 fills the lines of descriptions and examples, which are lines already.
+template <typename Formatter>
+void KeepLines(Formatter& formatter)
+{
+  if constexpr (requires { formatter.enable_footer_formatting(false); })
+  {
+    formatter.enable_description_formatting(false);
+    formatter.enable_footer_formatting(false);
+  }
+}
+}
+
 //------------------------------------------------------------------------------
 HelpFormatter::HelpFormatter()
 {
   this->column_width(26);
+  KeepLines<CLI::Formatter>(*this);
 }
 
 //------------------------------------------------------------------------------

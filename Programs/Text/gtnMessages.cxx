@@ -4,6 +4,7 @@
 #include "gtnMessages.h"
 
 #include "gtnFailure.h"
+#include "gtnReadable.h"
 #include "gtnText.h"
 
 #include "vtkLogger.h"
@@ -114,20 +115,23 @@ void CheckMessages(const std::string& file, bool quiet)
   if (!errors.empty())
   {
     // The first one is the cause, the others are what came of it.
-    throw Failure(file, errors.front());
+    throw Failure(file, ExplainRefusal(file, errors.front()));
   }
-  if (!quiet)
+  for (const std::string& warning : warnings)
   {
-    // The same may be said at every time step.
-    static std::set<std::string> said;
-    for (const std::string& warning : warnings)
-    {
-      const std::string message = Failure(file, warning).what();
-      if (said.insert(message).second)
-      {
-        Say(message);
-      }
-    }
+    SayOnce(file, warning, quiet);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SayOnce(const std::string& file, const std::string& warning, bool quiet)
+{
+  // The same may be said at every time step.
+  static std::set<std::string> said;
+  const std::string message = Failure(file, warning).what();
+  if (!quiet && said.insert(message).second)
+  {
+    Say(message);
   }
 }
 

@@ -21,6 +21,9 @@ std::vector<std::string> TakeWarnings();
 /** Throws Failure for the file if VTK reported an error; prints its warnings unless quiet. */
 void CheckMessages(const std::string& file, bool quiet);
 
+/** Prints a warning about a file, unless it has been printed before or quiet is set. */
+void SayOnce(const std::string& file, const std::string& warning, bool quiet);
+
 /** Prints "gtn: " and a message on stderr; where that is closed, nothing. */
 void Say(std::string_view message) noexcept;
 }

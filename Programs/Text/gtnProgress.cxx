@@ -4,12 +4,15 @@
 #include "gtnProgress.h"
 
 #include "gtnFailure.h"
+#include "gtnScratch.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 
 #include <fmt/core.h>
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -22,13 +25,36 @@ namespace gtn
 namespace
 {
 
-std::atomic<bool> interrupted = false;
-static_assert(std::atomic<bool>::is_always_lock_free);
+std::atomic<int> interrupted = 0; // the signal
+static_assert(std::atomic<int>::is_always_lock_free);
+
+constexpr unsigned SecondsToEnd = 3;
+
+void EndAtOnce()
+{
+  RemoveScratchFiles();
+  const int number = interrupted;
+  std::signal(number, SIG_DFL);
+  sigset_t only;
+  sigemptyset(&only);
+  sigaddset(&only, number);
+  std::raise(number);
+  pthread_sigmask(SIG_UNBLOCK, &only, nullptr); // of the handler itself
+  _exit(1);
+}
 
 extern "C" void HandleInterrupt(int signal)
 {
-  interrupted = true;
-  std::signal(signal, SIG_DFL);
+  if (interrupted.exchange(signal) != 0)
+  {
+    EndAtOnce();
+  }
+  alarm(SecondsToEnd);
+}
+
+extern "C" void HandleAlarm(int)
+{
+  EndAtOnce();
 }
 
 } // anonymous namespace
@@ -38,18 +64,26 @@ void CatchInterrupts()
 {
   std::signal(SIGINT, HandleInterrupt);
   std::signal(SIGTERM, HandleInterrupt);
+  std::signal(SIGALRM, HandleAlarm);
+}
+
+//------------------------------------------------------------------------------
+void EndInterrupted()
+{
+  EndAtOnce();
+  _exit(1);
 }
 
 //------------------------------------------------------------------------------
 bool IsInterrupted()
 {
-  return interrupted;
+  return interrupted != 0;
 }
 
 //------------------------------------------------------------------------------
 void CheckInterrupt()
 {
-  if (interrupted)
+  if (interrupted != 0)
   {
     throw Interrupted();
   }
@@ -91,7 +125,7 @@ bool Progress::operator()(double fraction)
     this->Drawn = true;
     this->Next = now + std::chrono::milliseconds(100);
   }
-  return !interrupted;
+  return interrupted == 0;
 }
 
 //------------------------------------------------------------------------------

@@ -15,11 +15,16 @@ class vtkAlgorithm;
 
 namespace gtn
 {
-/** Lets Ctrl+C end what runs in good order; pressed once more it ends the program at once. */
+/** Lets Ctrl+C and SIGTERM end what runs in good order. What does not end within some seconds, such
+ * as a reader of VTK, or a second Ctrl+C, ends the program at once; of files that it writes,
+ * nothing is left. */
 void CatchInterrupts();
 
-/** Whether Ctrl+C was pressed. */
+/** Whether Ctrl+C was pressed, or SIGTERM came. */
 bool IsInterrupted();
+
+/** Ends the program as the signal ends others. */
+[[noreturn]] void EndInterrupted();
 
 /** Throws Interrupted if Ctrl+C was pressed. */
 void CheckInterrupt();

@@ -4,15 +4,73 @@
 #include "gtnReadable.h"
 
 #include "gtnFailure.h"
+#include "gtnText.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 #include <system_error>
 
 namespace gtn
 {
+namespace
+{
+constexpr std::string_view LFSStart = "version https://git-lfs.github.com/spec/";
+
+/** The first or last bytes of a file. */
+std::string ReadEnd(const std::string& file, std::streamoff most, bool last)
+{
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  const std::streamoff size = stream ? static_cast<std::streamoff>(stream.tellg()) : 0;
+  std::string bytes(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, most)), '\0');
+  stream.seekg(last ? size - static_cast<std::streamoff>(bytes.size()) : 0);
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  return bytes;
+}
+
+/** Whether a file of XML lacks its end. */
+bool IsTruncatedXML(const std::string& file)
+{
+  constexpr std::streamoff some = 4096;
+  const std::string start = ReadEnd(file, some, false);
+  return start.find("<VTKFile") != start.npos &&
+    ReadEnd(file, some, true).find("</VTKFile") == std::string::npos;
+}
+
+/** The first number of a legacy file of text that is none, such as nan; empty without one. */
+std::string FindNonNumber(const std::string& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  std::string line;
+  for (int i = 0; i < 3; ++i)
+  {
+    std::getline(stream, line);
+  }
+  if (!line.starts_with("ASCII"))
+  {
+    return {};
+  }
+  for (std::string word; stream >> word;)
+  {
+    std::string plain;
+    for (const char c : word)
+    {
+      plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    plain.erase(0, plain.find_first_not_of("+-"));
+    if (plain == "nan" || plain == "inf" || plain == "infinity" || plain.starts_with("nan("))
+    {
+      return word;
+    }
+  }
+  return {};
+}
+}
+
+//------------------------------------------------------------------------------
 void CheckReadable(const std::string& file)
 {
   std::error_code error;
@@ -29,6 +87,11 @@ void CheckReadable(const std::string& file)
   {
     throw Failure(file, "is a folder");
   }
+  if (!std::filesystem::is_regular_file(status))
+  {
+    throw Failure(
+      file, "is not a regular file; write what a pipe or a device gives to a file, and name that");
+  }
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
   {
@@ -39,5 +102,33 @@ void CheckReadable(const std::string& file)
   {
     throw Failure(file, "is empty");
   }
+  std::string start(LFSStart.size(), '\0');
+  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+  if (start == LFSStart)
+  {
+    throw Failure(
+      file, "is a pointer of Git LFS and not the file itself, which git lfs pull brings");
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string ExplainRefusal(const std::string& file, const std::string& message)
+{
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error))
+  {
+    return message;
+  }
+  if (IsTruncatedXML(file))
+  {
+    return "is truncated: it does not end in </VTKFile> (" + message + ")";
+  }
+  const std::string word = ExtensionOf(file) == ".vtk" ? FindNonNumber(file) : std::string();
+  if (!word.empty())
+  {
+    return "has " + word + " in text, which VTK does not read; write the file in binary (" +
+      message + ")";
+  }
+  return message;
 }
 }

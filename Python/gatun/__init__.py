@@ -33,7 +33,7 @@ _members = {
     "Error": "_errors",
     "InputError": "_errors",
     "Mesh": "_arrays",
-    "from_meshio": "_arrays",
+    "from_meshio": "_meshio",
     "from_numpy": "_arrays",
     "image_from_numpy": "_arrays",
     "image_to_numpy": "_arrays",
@@ -42,7 +42,7 @@ _members = {
     "render": "_rendering",
     "save_png": "_images",
     "steps": "_reading",
-    "to_meshio": "_arrays",
+    "to_meshio": "_meshio",
     "to_numpy": "_arrays",
     "write": "_writing",
 }

@@ -7,20 +7,16 @@ from __future__ import annotations
 
 import collections.abc
 import dataclasses
-import functools
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkPoints
-from vtkmodules.vtkCommonDataModel import (
-    vtkCellArray,
-    vtkCellTypes,
-    vtkImageData,
-    vtkPolyData,
-    vtkUnstructuredGrid,
-)
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkDataArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkUnstructuredGrid
+
+from ._values import fill_masked, to_vtk
+from ._values import to_numpy as _to_values
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -57,6 +53,13 @@ _CELLS = {
     "hexahedron27": (29, 27),
     "wedge18": (32, 18),
     "triangle7": (34, 7),
+    "VTK_LAGRANGE_CURVE": (68, 0),
+    "VTK_LAGRANGE_TRIANGLE": (69, 0),
+    "VTK_LAGRANGE_QUADRILATERAL": (70, 0),
+    "VTK_LAGRANGE_TETRAHEDRON": (71, 0),
+    "VTK_LAGRANGE_HEXAHEDRON": (72, 0),
+    "VTK_LAGRANGE_WEDGE": (73, 0),
+    "VTK_LAGRANGE_PYRAMID": (74, 0),
 }
 _NAMES = {number: name for name, (number, _) in _CELLS.items()}
 _POLYHEDRON = 42
@@ -95,35 +98,13 @@ class Mesh:
 # To VTK
 
 
-def _to_vtk(values, name):
-    """A VTK array of the values, which it shares if they are contiguous."""
-    array = np.ascontiguousarray(values)
-    if array.dtype == bool:
-        array = array.view(np.uint8)
-    if array.dtype.byteorder == ">":
-        array = array.astype(array.dtype.newbyteorder("="))
-    if array.dtype.kind not in "iuf" or array.dtype.itemsize > 8 or array.dtype == np.float16:
-        raise ValueError(f"{name}: arrays of type {array.dtype} are not supported")
-    result = numpy_to_vtk(array.reshape(len(array), -1) if array.ndim > 2 else array)
-    # VTK would keep the memory by an attribute of the Python object. VTK 9.1 damages its list of
-    # such objects where the memory belongs to an array of VTK in turn. An observer keeps it, too.
-    result.__dict__.pop("_numpy_reference", None)
-    result.AddObserver("UserEvent", functools.partial(_keep, array))
-    result.SetName(name)
-    return result
-
-
-def _keep(_array, _caller, _event):
-    """Does nothing; an observer of it keeps an array."""
-
-
 def _add_arrays(attributes, arrays, count, what):
     for name, values in (arrays or {}).items():
-        values = np.asarray(values)
+        values = fill_masked(values, f"{what} {name!r}")
         if values.ndim == 0 or len(values) != count:
             there = len(values) if values.ndim else "no"
             raise ValueError(f"{what} {name!r}: has {there} values for {count} of them")
-        attributes.AddArray(_to_vtk(values, name))
+        attributes.AddArray(to_vtk(values, name, f"{what} {name!r}"))
 
 
 def _join_blocks(cell_data, sizes):
@@ -131,9 +112,9 @@ def _join_blocks(cell_data, sizes):
     joined = {}
     for name, values in (cell_data or {}).items():
         if isinstance(values, (list, tuple)) and len(values) == len(sizes):
-            parts = [np.asarray(part) for part in values]
+            parts = [np.asanyarray(part) for part in values]
             if all(part.ndim and len(part) == size for part, size in zip(parts, sizes)):
-                values = np.concatenate(parts) if parts else np.empty(0)
+                values = np.ma.concatenate(parts) if parts else np.empty(0)
         joined[name] = values
     return joined
 
@@ -157,6 +138,8 @@ def _list_blocks(cells):
         # A CellBlock of meshio is no pair.
         kind, corners = (block.type, block.data) if hasattr(block, "type") else block
         number = _number_of(kind)
+        if np.ma.is_masked(corners):
+            raise ValueError(f"cells: {kind!r} has masked values; leave these cells out")
         corners = np.asarray(corners)
         if corners.ndim != 2 or corners.dtype.kind not in "iu":
             raise ValueError(f"cells: {kind!r} has to be an array of integers with a row per cell")
@@ -225,7 +208,7 @@ def from_numpy(
     *,
     point_data: Mapping[str, ArrayLike] | None = None,
     cell_data: Mapping[str, ArrayLike | Sequence[ArrayLike]] | None = None,
-    field_data: Mapping[str, ArrayLike] | None = None,
+    field_data: Mapping[str, ArrayLike | str] | None = None,
     surface: bool = False,
 ) -> vtkUnstructuredGrid | vtkPolyData:
     """Makes a mesh of VTK from NumPy arrays.
@@ -238,17 +221,18 @@ def from_numpy(
         point_data: arrays of n values or rows by name.
         cell_data: arrays by name, over all cells in the order of ``cells``, or lists with an array
             for each block of ``cells``.
-        field_data: other arrays by name.
+        field_data: other arrays, texts and lists of texts by name.
         surface: whether to make a vtkPolyData, of vertices, lines, triangles, quadrilaterals,
             polygons and strips, in this order, in place of a vtkUnstructuredGrid.
 
     Returns:
-        The mesh. It shares the memory of contiguous points and data; connectivity is copied.
+        The mesh, with copies of all arrays. Masked values of floats become NaN, with a warning;
+        booleans become bytes, and floats of 16 bits those of 32.
 
     Raises:
         ValueError: arrays that do not fit together.
     """
-    points = np.asarray(points)
+    points = fill_masked(points, "points")
     if points.ndim != 2 or points.shape[1] not in (2, 3):
         raise ValueError(f"points: has to be n x 3, and is {' x '.join(map(str, points.shape))}")
     if points.dtype not in (np.float32, np.float64):
@@ -259,27 +243,16 @@ def from_numpy(
     make = _make_surface if surface else _make_grid
     mesh = make(blocks, len(points))
     coordinates = vtkPoints()
-    coordinates.SetData(_to_vtk(points, "Points"))
+    coordinates.SetData(to_vtk(points, "Points", "points"))
     mesh.SetPoints(coordinates)
     sizes = [len(corners) for _, corners in blocks]
     _add_arrays(mesh.GetPointData(), point_data, len(points), "point_data")
     _add_arrays(mesh.GetCellData(), _join_blocks(cell_data, sizes), sum(sizes), "cell_data")
     for name, values in (field_data or {}).items():
-        mesh.GetFieldData().AddArray(_to_vtk(np.atleast_1d(values), name))
+        what = f"field_data {name!r}"
+        values = np.atleast_1d(fill_masked(values, what))
+        mesh.GetFieldData().AddArray(to_vtk(values, name, what))
     return mesh
-
-
-def from_meshio(mesh: Any) -> vtkUnstructuredGrid:
-    """Makes a vtkUnstructuredGrid from a ``meshio.Mesh``, a ``gatun.Mesh`` or an object like them.
-
-    The object has the members ``points``, ``cells``, ``point_data`` and ``cell_data``; see ``from_numpy``.
-    """
-    return from_numpy(
-        mesh.points,
-        mesh.cells,
-        point_data=mesh.point_data,
-        cell_data=mesh.cell_data,
-    )
 
 
 def image_from_numpy(
@@ -298,16 +271,16 @@ def image_from_numpy(
         name: the name of the point array.
 
     Returns:
-        The volume. It shares the memory of a contiguous array.
+        The volume, with a copy of the array.
     """
-    values = np.asarray(values)
+    values = fill_masked(values, "values")
     if values.ndim != 3:
         raise ValueError(f"values: has to have 3 dimensions, and has {values.ndim}")
     image = vtkImageData()
     image.SetDimensions(values.shape[::-1])
     image.SetSpacing(spacing)
     image.SetOrigin(origin)
-    image.GetPointData().SetScalars(_to_vtk(values.reshape(-1), name))
+    image.GetPointData().SetScalars(to_vtk(values.reshape(-1), name, "values"))
     return image
 
 
@@ -315,32 +288,38 @@ def image_from_numpy(
 # From VTK
 
 
-def _get_arrays(attributes, count):
+def _get_arrays(attributes, count, copy):
     arrays = {}
     for i in range(attributes.GetNumberOfArrays()):
-        array = attributes.GetArray(i)
-        if array is not None and array.GetNumberOfTuples() == count:
-            arrays[array.GetName() or f"array {i}"] = vtk_to_numpy(array)
+        array = attributes.GetAbstractArray(i)
+        name = array.GetName() or f"array {i}"
+        if array.GetNumberOfTuples() != count:
+            raise ValueError(f"{name}: has {array.GetNumberOfTuples()} values for {count} of them")
+        arrays[name] = _to_values(array, copy)
     return arrays
 
 
-def _get_field_data(data):
+def _get_field_data(data, copy):
     arrays = {}
     for i in range(data.GetNumberOfArrays()):
         array = data.GetAbstractArray(i)
-        name = array.GetName() or f"array {i}"
-        if data.GetArray(i) is not None:
-            arrays[name] = vtk_to_numpy(array)
-        else:
-            arrays[name] = [str(array.GetValue(j)) for j in range(array.GetNumberOfValues())]
+        values = _to_values(array, copy)
+        arrays[array.GetName() or f"array {i}"] = values if isinstance(array, vtkDataArray) else values.tolist()
     return arrays
 
 
-def _get_cell_lists(mesh):
+def _get_types(grid):
+    """The types of the cells of a grid. From VTK 9.6 on they need not be an array of bytes."""
+    try:
+        return _to_values(grid.GetCellTypes(), copy=False)
+    except TypeError:  # with VTK 9.5 and before, this has a parameter
+        return _to_values(grid.GetCellTypesArray(), copy=False)
+
+
+def get_cell_lists(mesh):
     """Pairs of the types of some cells and their vtkCellArray, in the order of the cells."""
     if isinstance(mesh, vtkUnstructuredGrid):
-        types = mesh.GetCellTypesArray()
-        return [(vtk_to_numpy(types), mesh.GetCells())] if mesh.GetNumberOfCells() else []
+        return [(_get_types(mesh), mesh.GetCells())] if mesh.GetNumberOfCells() else []
     types = np.fromiter(map(mesh.GetCellType, range(mesh.GetNumberOfCells())), np.uint8)
     lists = []
     first = 0
@@ -352,15 +331,15 @@ def _get_cell_lists(mesh):
     return lists
 
 
-def _make_blocks(mesh):
+def _make_blocks(mesh, copy):
     """Blocks of cells of one type and size, and the ids of the cells of each."""
     blocks = []
     first = 0
-    for types, cells in _get_cell_lists(mesh):
+    for types, cells in get_cell_lists(mesh):
         if np.any(types == _POLYHEDRON):
             raise ValueError("polyhedra have no fixed number of points, and no array holds them")
-        offsets = vtk_to_numpy(cells.GetOffsetsArray())
-        ids = vtk_to_numpy(cells.GetConnectivityArray())
+        offsets = _to_values(cells.GetOffsetsArray(), copy=False)
+        ids = _to_values(cells.GetConnectivityArray(), copy=False)
         sizes = np.diff(offsets)
         keys, starts, kinds = np.unique(
             np.column_stack([types, sizes]), axis=0, return_index=True, return_inverse=True
@@ -369,21 +348,26 @@ def _make_blocks(mesh):
             number, size = keys[kind]
             chosen = np.flatnonzero(kinds.ravel() == kind)
             if len(chosen) == len(types):
-                corners = ids.reshape(-1, size)
+                corners = ids.reshape(-1, size).copy() if copy else ids.reshape(-1, size)
             else:
                 corners = ids[offsets[chosen][:, None] + np.arange(size)]
-            name = _NAMES.get(number, vtkCellTypes.GetClassNameFromTypeId(int(number)))
+            name = _NAMES.get(number) or mesh.GetCell(int(first + chosen[0])).GetClassName()
             blocks.append((name, corners, first + chosen))
         first += len(types)
     return blocks
 
 
-def to_numpy(mesh: vtkUnstructuredGrid | vtkPolyData) -> Mesh:
+def to_numpy(mesh: vtkUnstructuredGrid | vtkPolyData, *, copy: bool = True) -> Mesh:
     """Returns a vtkUnstructuredGrid or vtkPolyData as a ``gatun.Mesh`` of NumPy arrays.
 
     There is one block of cells for each type (and size, of polygons), by first appearance. Within a
-    block, cells keep their order. The arrays share the memory of the mesh where they can, and keep
-    it alive. Changing them changes the mesh.
+    block, cells keep their order.
+
+    Args:
+        mesh: the mesh.
+        copy: whether all values are copied. With False, arrays share the memory of the mesh where they
+            can, and keep it alive: changing one changes the mesh, and none may be used once VTK has
+            resized the array that it is of.
 
     Raises:
         TypeError: it is no mesh.
@@ -392,40 +376,28 @@ def to_numpy(mesh: vtkUnstructuredGrid | vtkPolyData) -> Mesh:
     if not isinstance(mesh, (vtkUnstructuredGrid, vtkPolyData)):
         raise TypeError(f"a {type(mesh).__name__} is no vtkUnstructuredGrid and no vtkPolyData")
     points = mesh.GetPoints()
-    blocks = _make_blocks(mesh)
-    cell_data = _get_arrays(mesh.GetCellData(), mesh.GetNumberOfCells())
+    blocks = _make_blocks(mesh, copy)
+    cell_data = _get_arrays(mesh.GetCellData(), mesh.GetNumberOfCells(), copy)
     return Mesh(
-        points=vtk_to_numpy(points.GetData()) if points else np.empty((0, 3)),
+        points=_to_values(points.GetData(), copy) if points else np.empty((0, 3)),
         cells=[(name, corners) for name, corners, _ in blocks],
-        point_data=_get_arrays(mesh.GetPointData(), mesh.GetNumberOfPoints()),
+        point_data=_get_arrays(mesh.GetPointData(), mesh.GetNumberOfPoints(), copy),
         cell_data={
             name: [values[ids] for _, _, ids in blocks] for name, values in cell_data.items()
         },
-        field_data=_get_field_data(mesh.GetFieldData()),
+        field_data=_get_field_data(mesh.GetFieldData(), copy),
     )
 
 
-def to_meshio(mesh: vtkUnstructuredGrid | vtkPolyData) -> Any:
-    """Returns a vtkUnstructuredGrid or vtkPolyData as a ``meshio.Mesh``.
-
-    Raises:
-        ImportError: meshio is not installed.
-    """
-    import meshio  # an optional package
-
-    arrays = to_numpy(mesh)
-    return meshio.Mesh(arrays.points, arrays.cells, arrays.point_data, arrays.cell_data)
-
-
-def image_to_numpy(image: vtkImageData, name: str | None = None) -> np.ndarray:
+def image_to_numpy(
+    image: vtkImageData, name: str | None = None, *, copy: bool = True
+) -> np.ndarray:
     """Returns an array of a vtkImageData as ``values[z, y, x]``, or ``values[z, y, x, component]``.
 
     Args:
         image: the volume.
         name: the name of the point array. Default: the active scalars, or the only array.
-
-    Returns:
-        An array that shares the memory of the volume.
+        copy: whether the values are copied; see ``to_numpy``.
     """
     if not isinstance(image, vtkImageData):
         raise TypeError(f"a {type(image).__name__} is no vtkImageData")
@@ -433,5 +405,5 @@ def image_to_numpy(image: vtkImageData, name: str | None = None) -> np.ndarray:
     array = data.GetArray(name) if name else data.GetScalars() or data.GetArray(0)
     if array is None:
         raise ValueError(f"the volume has no array {name!r}" if name else "the volume has no array")
-    values = vtk_to_numpy(array)
+    values = _to_values(array, copy)
     return values.reshape(image.GetDimensions()[::-1] + values.shape[1:])

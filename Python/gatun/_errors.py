@@ -77,6 +77,11 @@ def _count_own_frames():
     return count
 
 
+def warn(text):
+    """Warns of the line of the user that is run."""
+    warnings.warn(text, stacklevel=_count_own_frames())
+
+
 @contextlib.contextmanager
 def raising(*algorithms):
     """Turns the errors of algorithms and other objects in a block into an exception, and warnings
@@ -98,7 +103,7 @@ def raising(*algorithms):
             observed.RemoveObserver(observer)
     for _, _, _, cautions in reports:
         for caution in dict.fromkeys(cautions):
-            warnings.warn(caution, stacklevel=_count_own_frames())
+            warn(caution)
     for algorithm, errors, remarks, _ in reports:
         error = _make_error(algorithm, errors, remarks)
         if error:

@@ -6,12 +6,15 @@
 import math
 import os
 
+import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkGenericCell, vtkImageData, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
+from ._arrays import get_cell_lists
 from ._classes import get_class
 from ._errors import raising
+from ._info import info as _info
 from ._reading import choose_time, is_volume, open_reader
 from ._writing import Input
 
@@ -45,6 +48,8 @@ class Scene:
             if isinstance(self._data, kind)
         )
         self.bounds = self._find_bounds()
+        if self.kind is vtkUnstructuredGrid:
+            self._check_dimension()
         self._choose_array(array)
         self.component = self._choose_component(component)
         self.values = self._find_values()
@@ -130,6 +135,24 @@ class Scene:
         if not all(map(math.isfinite, bounds)):
             raise ValueError(f"{self.name}: has no finite coordinates")
         return bounds
+
+    def _check_dimension(self):
+        """Raises ValueError for a grid without 3D cells, in which rays meet nothing."""
+        if self._table is not None:
+            types = _info(self.name).get("cellTypes", [])  # of tetrahedra alone, there are none
+            counts = {(kind["name"], kind["dimension"]): kind["cells"] for kind in types}
+        else:
+            counts = {}
+            for numbers, _ in get_cell_lists(self._data):
+                for number, count in zip(*np.unique(numbers, return_counts=True)):
+                    cell = vtkGenericCell.InstantiateCell(int(number))
+                    counts[cell.GetClassName(), cell.GetCellDimension()] = count
+        if counts and all(dimension < 3 for _, dimension in counts):
+            there = ", ".join(f"{count} {name}" for (name, _), count in counts.items())
+            raise ValueError(
+                f"{self.name}: has no 3D cells, only {there}; vtkGeometryFilter makes a surface of 2D cells, "
+                "which can be drawn"
+            )
 
     def _find_volume_bounds(self):
         from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline

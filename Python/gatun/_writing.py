@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -42,7 +43,7 @@ def as_data(data):
     if isinstance(data, vtkDataObject):
         return data
     if hasattr(data, "points") and hasattr(data, "cells"):
-        from ._arrays import from_meshio
+        from ._meshio import from_meshio
 
         return from_meshio(data)
     raise TypeError(f"{type(data).__name__} is the type of no data or algorithm of VTK, and no mesh")
@@ -197,12 +198,19 @@ def _check_arrays(arrays, mesh):
             raise ValueError(f"arrays: the mesh has no array {name!r}")
 
 
-def _check_target(path):
-    """Raises the exceptions of open() where a file cannot be put, without touching it."""
+def _check_target(path, overwrite):
+    """Raises the exceptions of open() where a file cannot be put, without touching it, and for other formats."""
     folder = os.path.dirname(path) or "."
     if os.path.isdir(path):
-        raise IsADirectoryError(21, "Is a directory", path)
+        raise IsADirectoryError(errno.EISDIR, "Is a directory", path)
     os.stat(os.path.join(folder, "."))  # FileNotFoundError, NotADirectoryError
+    if os.path.splitext(path)[1].lower() not in (".gtn", ".ghv"):
+        raise ValueError(
+            f"{path}: meshes are written to .gtn files, and volumes to .ghv files; other formats have writers "
+            "of VTK and meshio"
+        )
+    if not overwrite and os.path.lexists(path):
+        raise FileExistsError(errno.EEXIST, "File exists; overwrite=True replaces it", path)
 
 
 # ------------------------------------------------------------------------------
@@ -268,6 +276,7 @@ def write(
     data: Any,
     path: Path,
     *,
+    overwrite: bool = False,
     arrays: Names | None = None,
     tolerances: str | Mapping[str, str] | None = None,
     fast_arrays: bool = False,
@@ -289,8 +298,8 @@ def write(
 ) -> int:
     """Writes a mesh or a series of meshes to a .gtn file, or a volume to a .ghv file.
 
-    The file appears under its name once it is complete; an existing file is replaced then. Meshes
-    are stored without loss unless ``tolerances`` or ``point_tolerance`` are given.
+    The file appears under its name once it is complete. Meshes are stored without loss unless
+    ``tolerances`` or ``point_tolerance`` are given.
 
     Args:
         data: a vtkUnstructuredGrid or vtkPolyData; a tree of blocks, which become one mesh; an
@@ -298,7 +307,8 @@ def write(
             its output port; a vtkImageData, for a .ghv file. Or an iterable of meshes, for a file
             with time steps: a sequence is asked for one mesh at a time, in place of others a list
             is made.
-        path: the file to write.
+        path: the file to write, with the extension .gtn or .ghv.
+        overwrite: whether to replace a file that is there.
         arrays: names of the point and cell arrays to write, or one name; None for all (of a
             volume: the active scalars).
         tolerances: how much arrays may change: a dictionary from names, or ``"*"`` for all others,
@@ -331,22 +341,21 @@ def write(
         The size of the file in bytes.
 
     Raises:
-        OSError: there is no such folder, or the path is one.
+        OSError: there is no such folder, or the path is one; FileExistsError: there is a file.
         ValueError: a parameter or data that do not fit; ``gatun.InputError`` if VTK has found out.
         TypeError: data of a kind that cannot be written.
         Error: the file cannot be written.
     """
     path = os.fsdecode(path)
     arrays = list_names(arrays)
-    _check_target(path)
+    _check_target(path, overwrite)
     rates = {
         "quality": quality,
         "rms_error": rms_error,
         "psnr": psnr,
         "bits_per_voxel": bits_per_voxel,
     }
-    extension = os.path.splitext(path)[1].lower()
-    if extension == ".ghv" or (isinstance(data, vtkImageData) and extension != ".gtn"):
+    if path.lower().endswith(".ghv"):
         return _write_volume(data, path, rates, block_size, arrays)
     for name, value in rates.items():
         if value is not None:

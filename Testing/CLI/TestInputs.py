@@ -8,6 +8,7 @@ import os
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.vtkConstants import VTK_FLOAT
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON,
     VTK_QUADRATIC_TETRA,
@@ -25,9 +26,10 @@ from vtkmodules.vtkIOXML import (
     vtkXMLImageDataWriter,
     vtkXMLMultiBlockDataWriter,
     vtkXMLPolyDataWriter,
+    vtkXMLRectilinearGridWriter,
 )
 
-from gatunCli import enter_folder, gtn, standard_mesh, write
+from gatunCli import enter_folder, gtn, read, standard_mesh, write
 
 enter_folder("inputs")
 
@@ -51,6 +53,33 @@ image.GetPointData().SetScalars(heat)
 write_with(vtkXMLImageDataWriter(), image, "image.vti")
 round_trip("image.vti", "60 cells (60 vtkVoxel)")
 round_trip("image.vti", "60 vtkVoxel were split", "--split-cells")
+
+# Points of images and of coordinates along axes are as exact as their source: places of a map, a decimeter apart.
+far = vtkImageData()
+far.SetDimensions(5, 5, 5)
+far.SetOrigin(500000, 4000000, 0)
+far.SetSpacing(0.1, 0.1, 0.1)
+axes = [500000 + 0.1 * np.arange(5), 4000000 + 0.1 * np.arange(5), 0.1 * np.arange(5)]
+rectilinear = vtkRectilinearGrid()
+rectilinear.SetDimensions(5, 5, 5)
+for axis, values in zip("XYZ", axes):
+    getattr(rectilinear, f"Set{axis}Coordinates")(numpy_to_vtk(values, deep=True))
+write_with(vtkXMLImageDataWriter(), far, "far.vti")
+write_with(vtkXMLRectilinearGridWriter(), rectilinear, "far.vtr")
+for name, source in (("far.vti", far), ("far.vtr", rectilinear)):
+    round_trip(name, "125 points")
+    gtn("unpack", "-f", name + ".gtn", "far.vtu")
+    back = read("far.vtu")
+    places = {back.GetPoint(i) for i in range(back.GetNumberOfPoints())}
+    assert places == {source.GetPoint(i) for i in range(125)} and len(places) == 125, name
+single = vtkRectilinearGrid()
+single.SetDimensions(5, 5, 5)
+for axis, values in zip("XYZ", axes):
+    getattr(single, f"Set{axis}Coordinates")(numpy_to_vtk(values.astype(np.float32), deep=True))
+write_with(vtkXMLRectilinearGridWriter(), single, "single.vtr")
+gtn("pack", "-f", "single.vtr", "single.gtn")
+gtn("unpack", "-f", "single.gtn", "single.vtu")
+assert read("single.vtu").GetPoints().GetDataType() == VTK_FLOAT
 
 append = vtkAppendFilter()
 append.AddInputData(image)

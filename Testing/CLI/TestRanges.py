@@ -163,6 +163,97 @@ tets = json.loads(gtn("info", "--json", "whole.gtn"))
 info = packed("mixed.vtu", "--split-cells", pieces=4)
 assert (info["tets"], info["points"]) == (tets["tets"], tets["points"]), (info, tets)
 
+
+def write_lists(grid, name, change=None, shared=True, appended=True):
+    """A file as VTK 9.4 and later write it, whose polyhedra share faces: cells name their faces, the
+    last one first. change: of the arrays by name. With appended data, or as text."""
+    numbers = {}
+    arrays = {name: [] for name in ("connectivity", "offsets", "types", "polyhedron_to_faces",
+                                    "polyhedron_offsets", "face_connectivity", "face_offsets")}
+    ids, stream = vtkIdList(), vtkIdList()
+    faces = []
+    for cell in range(grid.GetNumberOfCells()):
+        grid.GetCells().GetCellAtId(cell, ids)
+        arrays["connectivity"] += [ids.GetId(i) for i in range(ids.GetNumberOfIds())]
+        arrays["offsets"].append(len(arrays["connectivity"]))
+        arrays["types"].append(grid.GetCellType(cell))
+        if grid.GetCellType(cell) == VTK_POLYHEDRON:
+            grid.GetFaceStream(cell, stream)
+            values = [stream.GetId(i) for i in range(1, stream.GetNumberOfIds())]
+            while values:
+                face = values[1:values[0] + 1]
+                key = tuple(sorted(face)) if shared else len(faces)
+                if key not in numbers:
+                    numbers[key] = len(faces)
+                    faces.append(face)
+                arrays["polyhedron_to_faces"].append(numbers[key])
+                values = values[values[0] + 1:]
+        arrays["polyhedron_offsets"].append(len(arrays["polyhedron_to_faces"]))
+    # No order can be relied on.
+    arrays["polyhedron_to_faces"] = [len(faces) - 1 - f for f in arrays["polyhedron_to_faces"]]
+    for face in reversed(faces):
+        arrays["face_connectivity"] += face
+        arrays["face_offsets"].append(len(arrays["face_connectivity"]))
+    if change:
+        change(arrays)
+    data, elements = b"", {}
+
+    def element(name, values, type_, components=1):
+        nonlocal data
+        values = np.asarray(values, {"Int64": "<i8", "UInt8": "u1", "Float64": "<f8"}[type_])
+        head = '<DataArray type="%s" Name="%s" NumberOfComponents="%d"' % (type_, name, components)
+        if not appended:
+            text = " ".join(repr(value) for value in values.ravel().tolist())
+            return head + ' format="ascii">%s</DataArray>' % text
+        head += ' format="appended" offset="%d"/>' % len(data)
+        data += struct.pack("<Q", values.nbytes) + values.tobytes()
+        return head
+
+    points = element("Points", vtk_to_numpy(grid.GetPoints().GetData()), "Float64", 3)
+    height = element("height", vtk_to_numpy(grid.GetPointData().GetArray("height")), "Float64")
+    cells = "".join(element(name, values, "UInt8" if name == "types" else "Int64")
+                    for name, values in arrays.items())
+    text = ('<VTKFile type="UnstructuredGrid" version="2.3" byte_order="LittleEndian" '
+            'header_type="UInt64"><UnstructuredGrid><Piece NumberOfPoints="%d" NumberOfCells="%d">'
+            '<PointData>%s</PointData><Points>%s</Points><Cells>%s</Cells></Piece></UnstructuredGrid>'
+            % (grid.GetNumberOfPoints(), grid.GetNumberOfCells(), height, points, cells)).encode()
+    with open(name, "wb") as file:
+        file.write(text)
+        if appended:
+            file.write(b'<AppendedData encoding="raw">_' + data + b"</AppendedData>")
+        file.write(b"</VTKFile>")
+
+
+# Polyhedra as VTK 9.4 and later write them, in ranges and whole, whatever VTK reads them.
+write_as(mixed, "mixed.vtu")
+for appended in (True, False):
+    write_lists(mixed, "lists.vtu", shared=False, appended=appended)
+    gtn("pack", "-q", "-f", "--keep-order", "all", "lists.vtu", "whole.gtn")
+    gtn("verify", "whole.gtn", "mixed.vtu", says="identical")
+write_lists(mixed, "lists.vtu", shared=False)
+for pieces in (2, 7):
+    packed("lists.vtu", pieces=pieces)
+    gtn("verify", "pieces.gtn", "mixed.vtu", says="identical")
+write_lists(mixed, "shared.vtu")
+packed("shared.vtu", pieces=3)
+gtn("verify", "pieces.gtn", "shared.vtu", says="identical")
+
+
+def set_value(name, place, value):
+    return lambda arrays: arrays[name].__setitem__(place, value)
+
+
+for change in (set_value("polyhedron_to_faces", 5, 1 << 40), set_value("polyhedron_to_faces", 5, -1),
+               set_value("face_offsets", 3, 1 << 60), set_value("face_offsets", 0, -4),
+               set_value("polyhedron_offsets", -1, 1 << 50), set_value("polyhedron_offsets", 4, -1),
+               set_value("face_connectivity", 7, 1 << 33),
+               lambda arrays: arrays["polyhedron_offsets"].pop(),
+               lambda arrays: arrays.pop("face_offsets")):
+    write_lists(mixed, "bad.vtu", change)
+    for options, says in ((("--pieces", 3), "bad.vtu"), ((), "gtn: ")):
+        gtn("pack", "-q", "-f", *options, "bad.vtu", "never.gtn", code=1, says=says)
+        assert not os.path.exists("never.gtn")
+
 # Points that are nowhere, and all at the same place: then the order of the cells decides.
 odd = scattered(6, 4)
 coordinates = vtk_to_numpy(odd.GetPoints().GetData())

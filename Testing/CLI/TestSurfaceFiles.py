@@ -115,8 +115,8 @@ gtn("verify", "steps.gtn", *files, says="identical")
 gtn("unpack", "--step", 2, "steps.gtn", "last.vtp")
 rising = vtk_to_numpy(read_surface("last.vtp").GetPointData().GetArray("rising"))
 assert np.array_equal(np.sort(rising), np.arange(mixed.GetNumberOfPoints()) + 2)
-gtn("pack", "step0.vtp", "mesh.vtu", "both.gtn", code=1, says="not a surface")
-gtn("pack", "mesh.vtu", "step0.vtp", "both.gtn", code=1, says="is a surface")
+for files in (("step0.vtp", "mesh.vtu"), ("mesh.vtu", "step0.vtp")):
+    gtn("pack", *files, "both.gtn", code=1, says="gtn: step0.vtp: is a surface")
 assert not os.path.exists("both.gtn")
 
 # Unpacked to every format, with what it cannot hold told.

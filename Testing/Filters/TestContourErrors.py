@@ -266,7 +266,7 @@ warnings = []
 contour.AddObserver("WarningEvent", lambda *_: warnings.append(1))
 contour.Update()
 assert contour.GetErrorCode() == 0 and contour.GetOutput().GetNumberOfCells() == 0 and warnings
-faces.GetCellTypesArray().SetValue(0, 99)
+gm.set_cell_type(faces, 0, 99)
 expect_error(gc.make_contour(faces, 0.4, "wave"), "type 99", code=INVALID)
 for bad in (len(points), -1, 2 ** 40):
     wrong = tets.copy()

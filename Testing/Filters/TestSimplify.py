@@ -198,7 +198,7 @@ warnings = []
 bad.AddObserver("WarningEvent", lambda *_: warnings.append(1))
 bad.Update()
 assert bad.GetErrorCode() == 0 and bad.GetOutput().GetNumberOfCells() == 0 and warnings
-edges.GetCellTypesArray().SetValue(0, 99)
+gm.set_cell_type(edges, 0, 99)
 edges.Modified()
 expect_error(bad, "type 99")
 

@@ -23,7 +23,7 @@ for name in sorted(glob.glob(os.path.join(folder, "*.vtu"))):
     reader.Update()
     grid = reader.GetOutput()
     done += 1
-    isTets = (vtk_to_numpy(grid.GetCellTypesArray()) == gm.VTK_TETRA).all()
+    isTets = (gm.cell_types(grid) == gm.VTK_TETRA).all()
     for chunk in (0, 1000):
         gm.assert_equal(grid, gm.round_trip(grid, "real.gtn", KeepOrder=7, ChunkSize=chunk))
         back = gm.round_trip(grid, "real.gtn", ChunkSize=chunk)

@@ -236,11 +236,15 @@ grid.Allocate(1)
 polyhedron(grid, list(range(8)))
 polyhedron(grid, list(range(8, 16)))
 gm.add_array(grid.GetCellData(), np.arange(2), "BlockId")
-grid.GetFaces().SetValue(3, 12)
-refused(grid, "which the cell does not have")
-grid.GetFaces().SetValue(3, 1)
-grid.GetFaces().SetNumberOfValues(grid.GetFaces().GetNumberOfValues() - 3)
-refused(grid, "incomplete")
+if hasattr(grid, "GetPolyhedronFaces"):  # since VTK 9.4
+    vtk_to_numpy(grid.GetPolyhedronFaces().GetConnectivityArray())[1] = 12
+    refused(grid, "which the cell does not have")
+else:
+    grid.GetFaces().SetValue(3, 12)
+    refused(grid, "which the cell does not have")
+    grid.GetFaces().SetValue(3, 1)
+    grid.GetFaces().SetNumberOfValues(grid.GetFaces().GetNumberOfValues() - 3)
+    refused(grid, "incomplete")
 
 # Progress grows to 1; an abort leaves nothing behind.
 filter_ = vtkGatunSplitBlocks()

@@ -73,7 +73,7 @@ assert 0 < part.GetNumberOfCells() < surface.GetNumberOfCells()
 reader = pd.reader_of(path, LargeMesh=0)
 reader.Update()
 outline = reader.GetOutput()
-assert type(outline) is vtkPolyData and outline.GetNumberOfLines() == 12
+assert isinstance(outline, vtkPolyData) and outline.GetNumberOfLines() == 12
 assert outline.GetBounds() == surface.GetBounds() and reader.GetIsOnDemand()
 assert outline.GetInformation().Has(reader.ON_DEMAND())
 assert gm.statistic(reader, "DecodedChunks") == 0

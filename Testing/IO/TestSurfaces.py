@@ -66,12 +66,12 @@ for name, surface in surfaces.items():
 path = gm.temporary("surface.gtn")
 gm.write(narrow, path)
 back = pd.read(path)
-assert not back.GetPolys().IsStorage64Bit() and not back.GetLines().IsStorage64Bit()
+assert not gm.has_wide_ids(back.GetPolys()) and not gm.has_wide_ids(back.GetLines())
 narrow.SetVerts(pd.cell_array([[3]]))
 narrow.GetCellData().Initialize()
 gm.write(narrow, path)
 back = pd.read(path)
-assert back.GetPolys().IsStorage64Bit() and back.GetLines().IsStorage64Bit()
+assert gm.has_wide_ids(back.GetPolys()) and gm.has_wide_ids(back.GetLines())
 
 # Ghost cells are cells as all others.
 surface = pd.add_arrays(pd.wave())

@@ -79,22 +79,38 @@ writer.SetInputDataObject(nothing)
 writer.SetFileName(gm.temporary("polyhedron-of-nothing.gtn"))
 assert writer.Write() == 1
 
-beyond = "faces beyond the end"
-for place, value, message in ((0, 5, beyond), (0, -1, "-1 faces"), (1, 400, beyond),
-                              (1, -3, "a face of -3 points"),
-                              (2, len(points), "uses point %d" % len(points)),
-                              (16, -1, "uses point -1"), (13, 2 ** 40, beyond)):
-    polyhedron = gm.make_grid(points, [])
+def one_polyhedron():
+    grid = gm.make_grid(points, [])
     faces = vtkIdList()
     for number in (4, 3, 0, 1, 2, 3, 0, 1, 3, 3, 0, 2, 3, 3, 1, 2, 3):
         faces.InsertNextId(number)
-    polyhedron.InsertNextCell(42, faces)
-    polyhedron.GetFaces().SetValue(place, value)
-    refuse(polyhedron, "cell 0", message)
-    polyhedron.GetFaceLocations().SetValue(0, 100)
-    refuse(polyhedron, "cell 0", beyond)
-    polyhedron.GetFaceLocations().SetValue(0, -7)
-    refuse(polyhedron, "cell 0", "a polyhedron without faces")
+    grid.Allocate(1)
+    grid.InsertNextCell(42, faces)
+    return grid
+
+
+beyond = "faces beyond the end"
+if hasattr(vtkUnstructuredGrid, "GetPolyhedronFaces"):  # since VTK 9.4
+    for wrong in (len(points), -1):
+        polyhedron = one_polyhedron()
+        vtk_to_numpy(polyhedron.GetPolyhedronFaces().GetConnectivityArray())[0] = wrong
+        refuse(polyhedron, "cell 0", "uses point %d" % wrong)
+    for wrong in (4, -1, 2 ** 40):
+        polyhedron = one_polyhedron()
+        vtk_to_numpy(polyhedron.GetPolyhedronFaceLocations().GetConnectivityArray())[0] = wrong
+        refuse(polyhedron, "names face %d of 4" % wrong)
+else:
+    for place, value, message in ((0, 5, beyond), (0, -1, "-1 faces"), (1, 400, beyond),
+                                  (1, -3, "a face of -3 points"),
+                                  (2, len(points), "uses point %d" % len(points)),
+                                  (16, -1, "uses point -1"), (13, 2 ** 40, beyond)):
+        polyhedron = one_polyhedron()
+        polyhedron.GetFaces().SetValue(place, value)
+        refuse(polyhedron, "cell 0", message)
+        polyhedron.GetFaceLocations().SetValue(0, 100)
+        refuse(polyhedron, "cell 0", beyond)
+        polyhedron.GetFaceLocations().SetValue(0, -7)
+        refuse(polyhedron, "cell 0", "a polyhedron without faces")
 writer = vtkGatunWriter()
 errors = gm.Errors(writer)
 writer.SetInputDataObject(vtkTable())

@@ -9,9 +9,9 @@ import sys
 import numpy as np
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.util.vtkConstants import VTK_BIT, VTK_STRING, VTK_TETRA
+from vtkmodules.util.vtkConstants import VTK_BIT, VTK_STRING, VTK_TETRA, VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonCore import (
-    vtkAbstractArray, vtkPoints, vtkStringArray, vtkTypeInt32Array, vtkTypeInt64Array)
+    vtkAbstractArray, vtkIdList, vtkPoints, vtkStringArray, vtkTypeInt32Array, vtkTypeInt64Array)
 from vtkmodules.vtkCommonDataModel import (
     VTK_POLYHEDRON, vtkCellArray, vtkDataSetAttributes, vtkUnstructuredGrid)
 
@@ -206,7 +206,7 @@ def connectivity(grid):
         return np.zeros((0, 4), np.int64)
     offsets = vtk_to_numpy(cells.GetOffsetsArray())
     assert (offsets == 4 * np.arange(len(offsets))).all()
-    assert (vtk_to_numpy(grid.GetCellTypesArray()) == VTK_TETRA).all()
+    assert (cell_types(grid) == VTK_TETRA).all()
     return vtk_to_numpy(cells.GetConnectivityArray()).reshape(-1, 4)
 
 
@@ -263,32 +263,46 @@ def assert_same_field(one, other):
             assert np.array_equal(values_of(a), values_of(b)), a.GetName()
 
 
+def cell_types(grid):
+    """The types of cells, which VTK 9.6 may keep in a vtkConstantArray."""
+    new = hasattr(grid, "GetDistinctCellTypes")
+    return vtk_to_numpy(grid.GetCellTypes() if new else grid.GetCellTypesArray())
+
+
+def set_cell_type(grid, cell, kind):
+    types = cell_types(grid).copy()
+    types[cell] = kind
+    grid.SetCells(numpy_to_vtk(types, deep=True, array_type=VTK_UNSIGNED_CHAR), grid.GetCells())
+
+
+def has_wide_ids(cells):
+    """Whether these are 64-bit ids, whatever the storage."""
+    return cells.GetConnectivityArray().GetDataTypeSize() == 8
+
+
 def assert_same_types(one, other):
     """Number types of points and ids."""
     if one.GetNumberOfPoints():
         assert one.GetPoints().GetDataType() == other.GetPoints().GetDataType()
     if one.GetNumberOfCells():
-        assert one.GetCells().IsStorage64Bit() == other.GetCells().IsStorage64Bit()
+        assert has_wide_ids(one.GetCells()) == has_wide_ids(other.GetCells())
 
 
 def faces_of(grid, cell):
     """The list of faces of a polyhedron: the number of faces, and for each its points."""
     if grid.GetCellType(cell) != VTK_POLYHEDRON:
         return []
-    stream, at = grid.GetFaces(), grid.GetFaceLocations().GetValue(cell)
-    faces = [stream.GetValue(at)]
-    for _ in range(faces[0]):
-        size = stream.GetValue(at + len(faces))
-        faces += [stream.GetValue(at + len(faces) + i) for i in range(size + 1)]
-    return faces
+    stream = vtkIdList()
+    grid.GetFaceStream(cell, stream)
+    return [stream.GetId(i) for i in range(stream.GetNumberOfIds())]
 
 
 def assert_same_cells(one, other):
     """The same cells of any type, in the same order."""
     if not one.GetNumberOfCells():
         return
-    types = vtk_to_numpy(one.GetCellTypesArray())
-    assert np.array_equal(types, vtk_to_numpy(other.GetCellTypesArray()))
+    types = cell_types(one)
+    assert np.array_equal(types, cell_types(other))
     for part in ("OffsetsArray", "ConnectivityArray"):
         a, b = (vtk_to_numpy(getattr(grid.GetCells(), "Get" + part)()) for grid in (one, other))
         assert np.array_equal(a, b), part

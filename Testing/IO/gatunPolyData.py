@@ -77,7 +77,7 @@ def add_arrays(surface):
 
 
 def assert_same_head(one, other):
-    assert type(one) is type(other) is vtkPolyData
+    assert isinstance(one, vtkPolyData) and isinstance(other, vtkPolyData)
     assert one.GetNumberOfPoints() == other.GetNumberOfPoints()
     if one.GetNumberOfPoints():
         assert one.GetPoints().GetDataType() == other.GetPoints().GetDataType()

@@ -13,7 +13,7 @@ points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], dtype
 tets = np.array([[0, 1, 2, 3], [1, 2, 3, 4]])
 values = points.sum(axis=1) / 3
 path = sample.temporary("python-package.gtn")
-gatun.write(gatun.from_numpy(points, {"tetra": tets}, point_data={"sum": values}), path, keep_order="all")
+gatun.write(gatun.from_numpy(points, {"tetra": tets}, point_data={"sum": values}), path, keep_order="all", overwrite=True)
 back = gatun.to_numpy(gatun.read(path))
 assert np.array_equal(back.points, points) and np.array_equal(back.cells_dict["tetra"], tets)
 assert back.point_data["sum"].tobytes() == values.tobytes()

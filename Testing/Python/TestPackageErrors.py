@@ -3,6 +3,7 @@
 
 """Bad files and parameters become exceptions with a message; nothing is printed or left behind."""
 
+import functools
 import math
 import os
 import warnings
@@ -15,9 +16,9 @@ points, tets = make_cube(5)
 value = points[:, 0].copy()
 mesh = gatun.from_numpy(points, tets, point_data={"value": value}, cell_data={"id": range(len(tets))})
 good, target, volume = find("good.gtn"), find("target.gtn"), find("volume.ghv")
-gatun.write(mesh, good)
+gatun.write(mesh, good, overwrite=True)
 image = gatun.image_from_numpy(value.reshape(5, 5, 5))
-gatun.write(image, volume)
+gatun.write(image, volume, overwrite=True)
 nowhere = find(os.path.join("nowhere", "a.gtn"))
 folder = os.path.dirname(good)
 os.path.exists(target) and os.remove(target)
@@ -62,13 +63,21 @@ require_raises(ValueError, "box", read, good, box=(0, 1))
 require_raises(gatun.InputError, "hierarchy", read, good, ratio=0.5)
 require_raises(ValueError, "is a volume", read, volume, step=1)
 require_raises(ValueError, "no voxels", read, volume, box=(9, 10, 9, 10, 9, 10))
-gatun.write([mesh, mesh], target)
+gatun.write([mesh, mesh], target, overwrite=True)
 require_raises(ValueError, "no step 2; they are numbered 0 to 1", read, target, step=2)
 require_raises(ValueError, "no step -3", read, target, step=-3)
 os.remove(target)
 
 # Parameters of writing. No file appears.
-write = gatun.write
+with open(good, "rb") as file:
+    before = file.read()
+require_raises(FileExistsError, "good.gtn", gatun.write, mesh, good)
+require_raises(FileExistsError, "overwrite=True", gatun.write, image, volume)
+write = functools.partial(gatun.write, overwrite=True)
+for name in ("mesh.vtu", "mesh.GTN.txt", "mesh"):
+    require_raises(ValueError, f"{name}: meshes are written to .gtn files", write, mesh, os.path.join(folder, name))
+with open(good, "rb") as file:
+    assert file.read() == before
 require_raises(FileNotFoundError, "nowhere", write, mesh, nowhere)
 require_raises(IsADirectoryError, folder, write, mesh, folder)
 other = gatun.from_numpy(points, tets, point_data={"other": value})
@@ -124,11 +133,18 @@ require_raises(KeyError, "no such step", write, Broken(), target)
 assert not os.path.exists(target)
 assert gatun.read(volume).GetNumberOfPoints() == 125  # the one from before
 
+# Grids without 3D cells, in memory and in a file.
+flat = gatun.from_numpy(points, [("triangle", [[0, 1, 5], [1, 2, 6]])], point_data={"value": value})
+flat_file = find("flat.gtn")
+write(flat, flat_file)
+for source in (flat, flat_file):
+    require_raises(ValueError, "no 3D cells, only 2 vtkTriangle", gatun.render, source, size=(8, 8))
+
 # A caution is a warning of Python.
 plane = gatun.from_numpy(points, [("hexahedron", [[0, 1, 6, 5, 25, 26, 31, 30]])])
 with warnings.catch_warnings(record=True) as caught:
     warnings.simplefilter("always")
-    gatun.write(plane, target, split_cells=True)
+    gatun.write(plane, target, overwrite=True, split_cells=True)
 assert any("split" in str(caution.message) for caution in caught), [str(c.message) for c in caught]
 assert caught[0].filename == __file__, caught[0].filename
 assert gatun.read(target).GetNumberOfCells() >= 5

@@ -33,13 +33,13 @@ def read_arrays(path, **options):
 
 def write(name, data=mesh, **options):
     path = find(name)
-    assert gatun.write(data, path, **options) == os.path.getsize(path)
+    assert gatun.write(data, path, overwrite=True, **options) == os.path.getsize(path)
     return path
 
 
 # Everything, in the order that was kept. A file has several kinds of names.
 for name in (find("all.gtn"), pathlib.Path(find("all.gtn")), os.fsencode(find("all.gtn"))):
-    gatun.write(mesh, name, keep_order=True)
+    gatun.write(mesh, name, keep_order=True, overwrite=True)
     back = read_arrays(name)
     require_equal(back.points, points)
     require_equal(back.cells_dict["tetra"], tets)
@@ -180,7 +180,7 @@ assert back.GetSpacing() == (0.5, 1, 2) and back.GetOrigin() == (3, 4, 5)
 box = gatun.read(path, box=(4, 6.2, 5.5, 7, 0, 9))
 assert box.GetExtent() == (2, 7, 1, 3, 0, 2)
 require_equal(gatun.image_to_numpy(box), values[0:3, 1:4, 2:8])
-gatun.write(volume, path, psnr=40, block_size=16)
+gatun.write(volume, path, overwrite=True, psnr=40, block_size=16)
 lossy = gatun.image_to_numpy(gatun.read(path)).astype(float)
 assert 0 < np.sqrt(((lossy - values) ** 2).mean()) <= np.ptp(values) / 100
 for mode, (name, value) in enumerate(
@@ -193,7 +193,7 @@ for mode, (name, value) in enumerate(
     getattr(writer.GetEncoding(), "Set" + name)(value)
     writer.Write()
     option = ("quality", "rms_error", "psnr", "bits_per_voxel")[mode]
-    gatun.write(volume, path, **{option: value})
+    gatun.write(volume, path, overwrite=True, **{option: value})
     with open(path, "rb") as a, open(find("reference.ghv"), "rb") as b:
         assert a.read() == b.read(), option
 

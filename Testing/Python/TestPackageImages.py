@@ -28,7 +28,7 @@ mesh = gatun.from_numpy(
     cell_data={"half": (np.arange(len(tets)) % 2).astype(float)},
 )
 path = find("mesh.gtn")
-gatun.write(mesh, path, hierarchy=True, chunk_size=256)
+gatun.write(mesh, path, overwrite=True, hierarchy=True, chunk_size=256)
 SIZE = (90, 60)
 
 
@@ -164,7 +164,7 @@ assert 0 < np.abs(draw(shade=True).astype(int) - integers).max()
 
 # Colors of a file with time steps are those of the range of all of them.
 series = find("series.gtn")
-gatun.write([gatun.from_numpy(points, tets, point_data={"v": value * k}) for k in (1, 2)], series)
+gatun.write([gatun.from_numpy(points, tets, point_data={"v": value * k}) for k in (1, 2)], series, overwrite=True)
 two = [
     draw(series, array=None, step=k, colors=[(0, 0, 0), (1, 1, 1)], opacity=[1, 1])[30, 60, 0]
     for k in (0, 1)
@@ -180,7 +180,7 @@ voxels = np.zeros((24, 24, 24), np.float32)
 voxels[16:, 16:, :8] = 100  # far along z and y, and near along x
 volume = gatun.image_from_numpy(voxels, name="v")
 file = find("volume.ghv")
-gatun.write(volume, file, rms_error=0)
+gatun.write(volume, file, overwrite=True, rms_error=0)
 for source in (volume, file):
     image = draw(source, array=None, azimuth=0, elevation=0, size=(60, 60), opacity=[0, 1])
     rows, columns = np.nonzero(image[..., 3] > 128)

@@ -30,7 +30,7 @@ def assert_decoded_as(grid, decoder, restore, step=0):
     assert len(cells) == grid.GetNumberOfCells(), "number of cells"
     if cells:
         kinds = np.array([kind for kind, _, _ in cells], np.uint8)
-        assert_same_bytes(vtk_to_numpy(grid.GetCellTypesArray()), kinds, "types")
+        assert_same_bytes(gm.cell_types(grid), kinds, "types")
         offsets = np.cumsum([0] + [len(corners) for _, corners, _ in cells])
         points = [point for _, corners, _ in cells for point in corners]
         for name, values in (("Offsets", offsets), ("Connectivity", points)):

@@ -151,7 +151,7 @@ def sha256_of_cells(cells):
 
 def cells_of(grid):
     """All cells, as sha256_of_cells takes them."""
-    kinds = vtk_to_numpy(grid.GetCellTypesArray()).tolist()
+    kinds = gm.cell_types(grid).tolist()
     offsets = vtk_to_numpy(grid.GetCells().GetOffsetsArray())
     points = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).tolist()
     cells = []
@@ -167,7 +167,7 @@ def cells_of(grid):
 
 
 def describe_cells(grid):
-    kinds = set(vtk_to_numpy(grid.GetCellTypesArray())) if grid.GetNumberOfCells() else set()
+    kinds = set(gm.cell_types(grid)) if grid.GetNumberOfCells() else set()
     if kinds <= {VTK_TETRA}:
         return {"tets": sha256(gm.connectivity(grid).astype(np.int64))}
     return {"cells": sha256_of_cells(cells_of(grid))}
@@ -216,7 +216,7 @@ def describe_mesh(grids, times, in_input_order):
         **(describe_points(points.GetName(), gm.description(points)[3], keys_of(points))
            if points else {}),
         "times": times,
-        "wide_ids": bool(grid.GetCells().IsStorage64Bit()) if grid.GetNumberOfCells() else None,
+        "wide_ids": gm.has_wide_ids(grid.GetCells()) if grid.GetNumberOfCells() else None,
         "arrays": [
             dict(describe_array(*gm.description(array), keys_of(array)), where=where)
             for where, attributes in attributes_of(grid).items()
@@ -246,7 +246,7 @@ def grid_of(data):
     grid = vtkUnstructuredGrid()
     grid.SetPoints(data.GetPoints())
     lists = pd.cells_of(data)
-    wide = any(getattr(data, "Get" + name)().IsStorage64Bit()
+    wide = any(gm.has_wide_ids(getattr(data, "Get" + name)())
                for name, cells in zip(pd.LISTS, lists) if cells)
     kinds = [TYPES[i].get(len(ids), OTHER_TYPES[i]) for i, cells in enumerate(lists)
              for ids in cells]

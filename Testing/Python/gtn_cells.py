@@ -176,17 +176,56 @@ def split(kind, corners, faces, order, place):
     if surface is TETRAHEDRON:
         return [tuple(corners[:4])] if len(corners) >= 4 else []
     faces = faces_of_cell(kind, corners, faces, place)
+    shells = [0] * len(faces)
+    if kind == POLYHEDRON:
+        faces, shells = align(faces)
     points = [p for face in faces for p in face]
     if not points:
         return []
     apex = min(points, key=order)  # the first one of the least
     tets = []
-    for face in faces:
+    volumes = [0.0] * (1 + max(shells))
+    for face, shell in zip(faces, shells):
         if apex in face or len(face) < 3:
             continue
         first = min(range(len(face)), key=lambda i: order(face[i]))
         face = face[first:] + face[:first]
         for q, r in zip(face[1:], face[2:]):
             if len({apex, face[0], q, r}) == 4:
-                tets.append((apex, face[0], q, r))
-    return tets
+                tets.append((shell, (apex, face[0], q, r)))
+                volumes[shell] += sixfold_volume(*(place(v) for v in tets[-1][1]))
+    return [(a, b, d, c) if volumes[shell] < 0 else (a, b, c, d) for shell, (a, b, c, d) in tets]
+
+
+def align(faces):
+    """The faces of a polyhedron, those of each shell in the same direction, and their shells."""
+    sides = {}
+    for f, face in enumerate(faces):
+        for a, b in zip(face, face[1:] + face[:1]):
+            sides.setdefault(frozenset((a, b)), []).append((f, a))
+    shells = [None] * len(faces)
+    turned = [False] * len(faces)
+    for start in range(len(faces)):
+        if shells[start] is not None:
+            continue
+        shells[start] = max((s for s in shells if s is not None), default=-1) + 1
+        reached = [start]
+        for f in reached:
+            for a, b in zip(faces[f], faces[f][1:] + faces[f][:1]):
+                users = sides[frozenset((a, b))]
+                if len(users) != 2:
+                    continue
+                for g, first in users:
+                    if shells[g] is None:
+                        shells[g] = shells[start]
+                        turned[g] = turned[f] != (first == a)
+                        reached.append(g)
+    return [face[::-1] if turn else face for face, turn in zip(faces, turned)], shells
+
+
+def sixfold_volume(apex, *others):
+    a, b, c = (tuple(float(x) - float(y) for x, y in zip(other, apex)) for other in others)
+    x = b[1] * c[2] - b[2] * c[1]
+    y = b[2] * c[0] - b[0] * c[2]
+    z = b[0] * c[1] - b[1] * c[0]
+    return a[0] * x + a[1] * y + a[2] * z

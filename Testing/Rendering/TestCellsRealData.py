@@ -94,7 +94,7 @@ for name in FILES:
     # Each triangle is in two tetrahedra if the face that it is of is in two cells, else in one.
     triangles = np.sort(ids[:, [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]]].reshape(-1, 3), 1)
     _, counts = np.unique(triangles, axis=0, return_counts=True)
-    types = set(np.unique(vtk_to_numpy(grid.GetCellTypesArray())).tolist())
+    types = set(np.unique(gm.cell_types(grid)).tolist())
     if not types & {c.VTK_QUADRATIC_TETRA, c.VTK_QUADRATIC_HEXAHEDRON, c.VTK_QUADRATIC_WEDGE}:
         faces = faces_of_grid(grid)
         assert max(faces.values()) == 2, name

@@ -136,7 +136,7 @@ gm.add_array(moved.GetPointData(), values ** 3, "blob")
 first = gm.make_grid(points, tets)
 gm.add_array(first.GetPointData(), values, "blob")
 series = gm.temporary("series.gtn")
-gatun.write([first, moved], series, times=[1, 5])
+gatun.write([first, moved], series, times=[1, 5], overwrite=True)
 for step, mesh in enumerate((first, moved)):
     for is_set in (True, False):
         reader = vtkGatunReader()

@@ -65,7 +65,7 @@ triangles = vtkUnstructuredGrid()
 triangles.SetPoints(grid.GetPoints())
 triangles.GetPointData().ShallowCopy(grid.GetPointData())
 triangles.InsertNextCell(VTK_TRIANGLE, 3, [0, 1, 2])
-triangles.GetCellTypesArray().SetValue(0, 99)
+gv.gm.set_cell_type(triangles, 0, 99)
 expect_error(gv.make_caster(triangles), "type 99")
 
 # Without scalars.

@@ -15,6 +15,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <tuple>
 
 namespace gatun::test
 {
@@ -60,16 +61,22 @@ Faces GetFaces(int type, const std::vector<std::uint32_t>& corners)
   return found;
 }
 
-std::vector<Tet> Split(const Faces& cell, const Places& points)
+/** isPolyhedron: whether the faces may have any direction. */
+std::vector<Tet> Split(const Faces& cell, const Places& points, bool isPolyhedron = false)
 {
   CellFaces<std::uint32_t> faces;
   for (const auto& face : cell)
   {
     faces.Add(face, [](std::uint32_t id) { return id; });
   }
+  if (isPolyhedron)
+  {
+    faces.Align();
+  }
   std::vector<Tet> tets;
-  SplitCell(
-    faces, PointOrder<double>(points.front().data()), [&](const Tet& tet) { tets.push_back(tet); });
+  SplitSpace<std::uint32_t> space;
+  SplitCell(faces, PointOrder<double>(points.front().data()), space,
+    [&](const Tet& tet) { tets.push_back(tet); });
   return tets;
 }
 
@@ -371,6 +378,84 @@ TEST(Simplices, OfDegenerateCellsHaveFourCorners)
   EXPECT_TRUE(Split({ {}, { 1 }, { 2, 3 } }, points).empty());
   const Places same(8, { 1, 2, 3 });
   EXPECT_EQ(Split(GetFaces(Hexahedron, { 0, 1, 2, 3, 4, 5, 6, 7 }), same).size(), 6u);
+}
+
+//------------------------------------------------------------------------------
+TEST(Simplices, HavePositiveVolumesForAnyDirectionOfFaces)
+{
+  const Mixture grid(1, 0, 1);
+  const std::vector<std::uint32_t> corners{ 0, 1, 3, 2, 4, 5, 7, 6 };
+  const Faces cube = GetFaces(Hexahedron, corners);
+  // Two cubes, of which only the second one is inside out, without a common point, as one cell.
+  Places points(grid.Points.begin(), grid.Points.begin() + 8);
+  for (unsigned i = 0; i < 8; ++i)
+  {
+    points.push_back({ points[i][0] + 2, points[i][1], points[i][2] });
+  }
+  for (unsigned turned = 0; turned < 64; ++turned)
+  {
+    Faces faces = cube;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+      if (turned >> i & 1u)
+      {
+        std::reverse(faces[i].begin(), faces[i].end());
+      }
+    }
+    Faces two = faces;
+    for (auto face : cube)
+    {
+      std::reverse(face.begin(), face.end());
+      std::transform(face.begin(), face.end(), face.begin(), [](auto point) { return point + 8; });
+      two.push_back(face);
+    }
+    for (const auto& [cell, expected] : { std::pair(faces, 1.0), std::pair(two, 2.0) })
+    {
+      double volume = 0;
+      for (const auto& tet : Split(cell, points, true))
+      {
+        EXPECT_TRUE(GetVolume(points, tet) > 0 || cell.size() > 6) << turned;
+        volume += GetVolume(points, tet);
+      }
+      EXPECT_NEAR(volume, expected, 1e-12) << turned;
+    }
+  }
+  // Wedges in both conventions, and a hexahedron inside out.
+  for (const auto& [type, cell, expected] :
+    { std::tuple(Wedge, std::vector<std::uint32_t>{ 0, 1, 2, 4, 5, 6 }, 0.5),
+      std::tuple(Wedge, std::vector<std::uint32_t>{ 0, 2, 1, 4, 6, 5 }, 0.5),
+      std::tuple(Hexahedron, std::vector<std::uint32_t>{ 0, 2, 3, 1, 4, 6, 7, 5 }, 1.0) })
+  {
+    double volume = 0;
+    for (const auto& tet : Split(GetFaces(type, cell), grid.Points))
+    {
+      EXPECT_GT(GetVolume(grid.Points, tet), 0) << type;
+      volume += GetVolume(grid.Points, tet);
+    }
+    EXPECT_NEAR(volume, expected, 1e-12) << type;
+  }
+}
+
+//------------------------------------------------------------------------------
+// An L, whose volume is right only if some of its tetrahedra count as negative, and a surface with
+// an edge of many faces, which must not take long.
+TEST(Simplices, OfPolyhedraThatAreNotConvexAddUp)
+{
+  const Places points{ { 2, 0, 0 }, { 0, 0, 0 }, { 0, 2, 0 }, { 1, 2, 0 }, { 1, 1, 0 }, { 2, 1, 0 },
+    { 2, 0, 1 }, { 0, 0, 1 }, { 0, 2, 1 }, { 1, 2, 1 }, { 1, 1, 1 }, { 2, 1, 1 } };
+  Faces faces{ { 0, 1, 2, 3, 4, 5 }, { 6, 7, 8, 9, 10, 11 } }; // in opposite directions
+  for (std::uint32_t i = 0; i < 6; ++i)
+  {
+    const std::uint32_t next = (i + 1) % 6;
+    faces.push_back({ i, next, next + 6, i + 6 });
+  }
+  double volume = 0;
+  for (const auto& tet : Split(faces, points, true))
+  {
+    volume += GetVolume(points, tet);
+  }
+  EXPECT_NEAR(volume, 3, 1e-12);
+  EXPECT_FALSE(Split(Faces(100000, { 0, 1, 2 }), points, true).size() > 0);
 }
 
 //------------------------------------------------------------------------------

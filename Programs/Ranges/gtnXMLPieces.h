@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gtnXMLPieces_h
+#define gtnXMLPieces_h
+
+// The pieces of .vtu and .vtp files, without their values.
+
+#include "gtnXMLKeys.h"
+
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#include <string>
+#include <vector>
+
+class vtkXMLDataElement;
+
+namespace gtn
+{
+/** An array that a file declares. */
+struct XMLArrayForm
+{
+  int Association = 0; ///< vtkDataObject::POINT or CELL
+  std::string Name;
+  int Type = 0; ///< a type of VTK, or 0 if it is none
+  int Components = 1;
+};
+
+/** What a file declares of its points and arrays. */
+struct XMLForm
+{
+  bool IsEmpty = true; ///< without points and cells
+  int PointType = 0;   ///< a type of VTK, or 0 without points
+  std::vector<XMLArrayForm> Arrays;
+};
+
+/** Reads that of the first piece with points or cells in a .vtu or .vtp file; an empty form of
+ * other files. Throws Failure. */
+XMLForm ReadXMLForm(const std::string& file);
+
+/** Reads that of all pieces of a .pvtu or .pvtp file, as the file declares it. list: the element
+ * with the pieces. */
+XMLForm ReadListForm(vtkXMLDataElement* list);
+
+/** The name of a type of VTK in such files, such as Float32. */
+std::string NameOfXMLType(int type);
+
+/** Takes empty pieces out of the element of a mesh, as VTK's readers take the types of all pieces
+ * from the first one. If all are empty, the first one stays and gets an array of points. Returns
+ * what is wrong with the other pieces: one has an array of another type than the first one, which
+ * VTK's readers would take for that type. */
+std::string PreparePieces(vtkXMLDataElement* mesh);
+
+/** A reader of VTK that reads empty pieces, too, and refuses pieces that differ in their types. */
+template <typename Reader>
+class XMLPieceReader : public Reader
+{
+protected:
+  int ReadPrimaryElement(vtkXMLDataElement* mesh) override
+  {
+    MakeUnknownKeys(mesh);
+    const std::string problem = PreparePieces(mesh);
+    if (!problem.empty())
+    {
+      vtkErrorWithObjectMacro(this, << problem);
+      return 0;
+    }
+    return this->Reader::ReadPrimaryElement(mesh);
+  }
+};
+
+class XMLSurfaceReader : public XMLPieceReader<vtkXMLPolyDataReader>
+{
+public:
+  static XMLSurfaceReader* New();
+  vtkTypeMacro(XMLSurfaceReader, vtkXMLPolyDataReader);
+};
+}
+
+#endif
