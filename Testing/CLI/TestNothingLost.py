@@ -118,6 +118,11 @@ with open("run.pvtu", "w", encoding="ascii") as file:
                '</PUnstructuredGrid></VTKFile>')
 gtn("pack", "--pieces", 2, "run.pvtu", "run.gtn", says=f"{len(tets)} ghost cells are left out")
 assert unpacked("run.gtn").GetNumberOfCells() == len(tets)
+gtn("verify", "run.gtn", "run.pvtu", code=1, says=f"{len(tets)} ghost cells of run.pvtu are missing")
+gtn("verify", "--no-ghosts", "run.gtn", "run.pvtu", says="identical")
+gtn("pack", "-q", "run.pvtu", "whole.gtn")
+gtn("verify", "whole.gtn", "run.pvtu", says="identical")
+assert unpacked("whole.gtn").GetNumberOfCells() == 2 * len(tets)
 
 # Texts at points are left out with a message; other arrays can be, without one.
 texts = standard_mesh(3)
