@@ -3,6 +3,7 @@
 
 // gtn verify: checks a file, and compares it with another one.
 
+#include "gtnAlign.h"
 #include "gtnBounds.h"
 #include "gtnCommands.h"
 #include "gtnCompare.h"
@@ -13,6 +14,7 @@
 #include "gtnOptions.h"
 #include "gtnProgress.h"
 #include "gtnReadable.h"
+#include "gtnStepChooser.h"
 #include "gtnText.h"
 
 #include "gatunFileReader.h"
@@ -44,6 +46,7 @@ struct VerifyOptions
   std::string File;
   std::vector<std::string> Originals;
   InputOptions Input;
+  bool FillMissing = false;
 };
 
 // Distinct names for messages.
@@ -61,22 +64,24 @@ vtkSmartPointer<vtkUnstructuredGrid> GridOf(vtkDataObject* data)
 }
 
 // Compares two grids or surfaces. Returns a description of the first difference.
-std::string CompareData(
-  BoundedComparison& comparison, vtkDataObject* a, vtkDataObject* b, const FileSteps::Place& place)
+std::string CompareData(BoundedComparison& comparison, vtkDataObject* a, vtkDataObject* b,
+  const FileSteps::Place& place, const SeriesPlace& series, bool& rolesDiffer)
 {
   if (a->GetDataObjectType() != b->GetDataObjectType())
   {
     return fmt::format("it is a {}, not a {}", a->GetClassName(), b->GetClassName());
   }
   const auto first = GridOf(a);
-  const auto second = GridOf(b);
+  const auto second = AlignArrays(GridOf(b), first, series, rolesDiffer);
   return comparison.Compare(GridView(first), GridView(second), *place.Mesh, place.Step);
 }
 
 void CompareWithOriginals(const VerifyOptions& options, const Settings& settings, FileSteps& file)
 {
   Input original(options.Originals, options.Input);
-  Input packed({ options.File }, options.Input);
+  InputOptions optionsOfPacked = options.Input;
+  optionsOfPacked.Steps.reset();
+  Input packed({ options.File }, optionsOfPacked);
   const auto [nameOfPacked, nameOfOriginal] = ShortNames(options.File, original.GetName());
 
   const std::vector<double>& times = original.GetTimes();
@@ -90,6 +95,7 @@ void CompareWithOriginals(const VerifyOptions& options, const Settings& settings
   }
   Comparison comparison(nameOfPacked, nameOfOriginal, file.GetFile().GetKeptOrder());
   BoundedComparison bounded(comparison);
+  bool rolesDiffer = false;
   for (std::size_t step = 0; step < steps; ++step)
   {
     if (steps > 1 && times[step] != packed.GetTimes()[step])
@@ -103,7 +109,8 @@ void CompareWithOriginals(const VerifyOptions& options, const Settings& settings
       settings.ShowProgress);
     vtkDataObject* const a = packed.Read(step, progress);
     vtkDataObject* const b = original.Read(step, progress);
-    const std::string difference = CompareData(bounded, a, b, file.Find(step));
+    const std::string difference = CompareData(
+      bounded, a, b, file.Find(step), { steps > 1, step == 0, options.FillMissing }, rolesDiffer);
     CheckInterrupt();
     if (!difference.empty())
     {
@@ -120,11 +127,13 @@ void CompareWithOriginals(const VerifyOptions& options, const Settings& settings
       ? fmt::format(" but for bounded errors, of which the largest is {:.6f} of its bound",
           bounded.GetWorst())
       : "";
-    fmt::print("{}: identical to {}{}{}{}{}\n", options.File, original.GetName(),
+    fmt::print("{}: identical to {}{}{}{}{}{}\n", options.File, original.GetName(),
       options.Originals.size() > 1 ? fmt::format(" and {} more", options.Originals.size() - 1) : "",
       steps > 1 ? fmt::format(", {} time steps", steps) : "",
       alike > 0 ? fmt::format(", up to {} indistinguishable points", GroupDigits(alike)) : "",
-      errors);
+      errors,
+      rolesDiffer ? " but for the active arrays, which are those of the first step at all steps"
+                  : "");
   }
 }
 
@@ -194,6 +203,10 @@ void AddVerify(CLI::App& app, Settings& settings)
     "  gtn verify run.gtn run_0.vtu run_1.vtu run_2.vtu");
   AddArrays(command, options->Input, "Compare only these point and cell arrays");
   AddSets(command, options->Input);
+  AddSteps(command, options->Input.Steps)
+    ->description("Compare with these time steps of ORIGINAL, as it was packed with --steps");
+  command->add_flag("--fill-missing", options->FillMissing,
+    "Fill in the arrays that steps of ORIGINAL lack, which was packed with --fill-missing");
   command->add_flag("--split-cells", options->Input.Split,
     "Split the cells of ORIGINAL, which was packed with --split-cells");
   command->add_flag("--triangles", options->Input.Triangles,

@@ -83,6 +83,8 @@ public:
 
 private:
   void FindTimes();
+  void ChooseListed();
+  void ChooseOwn();
 
   std::string Name;
   InputOptions Options;

@@ -3,11 +3,21 @@
 #ifndef gtnInputOptions_h
 #define gtnInputOptions_h
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace gtn
 {
+/** Some of the time steps. */
+struct StepRange
+{
+  std::size_t First = 0;
+  std::optional<std::size_t> Last; ///< that is taken, too; none: the last one of all
+  std::size_t Stride = 1;
+};
+
 /** Which parts of a mesh are read, and how. */
 struct InputOptions
 {
@@ -19,6 +29,7 @@ struct InputOptions
   bool SurfacesToo = false;        ///< with VolumesOnly: surfaces matter, too
   bool Sets = false;               ///< also side sets, node sets, patches, boundaries
   bool InPieces = false;           ///< the files of a .pvtu or .pvd file are read one by one
+  std::optional<StepRange> Steps;  ///< only some of the time steps
   bool Quiet = false;              ///< no warnings
 };
 }

@@ -5,6 +5,7 @@
 
 #include "gtnFailure.h"
 #include "gtnFormats.h"
+#include "gtnLegacyReader.h"
 #include "gtnLibrary.h"
 #include "gtnMessages.h"
 #include "gtnObj.h"
@@ -18,7 +19,6 @@
 
 #include "vtkCompositeDataGeometryFilter.h"
 #include "vtkGLTFReader.h"
-#include "vtkGenericDataObjectReader.h"
 #include "vtkGenericEnSightReader.h"
 #include "vtkMetaImageReader.h"
 #include "vtkNIFTIImageReader.h"
@@ -75,7 +75,7 @@ vtkSmartPointer<vtkAlgorithm> MakeGLTF(const std::string& file)
 
 vtkSmartPointer<vtkAlgorithm> MakeLegacy(const std::string& file)
 {
-  vtkNew<vtkGenericDataObjectReader> reader;
+  vtkNew<LegacyReader> reader;
   reader->SetFileName(file.c_str());
   reader->ReadAllScalarsOn();
   reader->ReadAllVectorsOn();

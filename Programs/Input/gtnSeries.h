@@ -15,9 +15,10 @@
 
 namespace gtn
 {
-/** Files as steps: at the times in their field data (TimeValue) if these ascend, or else 0, 1, 2
- * and so on. inPieces: whether the parts of a file are files of the step. Throws Failure. */
-std::vector<SeriesStep> StepsOfFiles(const std::vector<std::string>& files, bool inPieces);
+/** Files as steps, in the order of OrderFiles by the times in their field data (TimeValue).
+ * inPieces: whether the parts of a file are files of the step. Throws Failure. */
+std::vector<SeriesStep> StepsOfFiles(
+  const std::vector<std::string>& files, bool inPieces, bool quiet);
 
 /** Reads the files of the time asked for, by readers for their formats, as a grid, or as a surface
  * if the first file is one and no step has several of them to be read together. If a piece is asked
