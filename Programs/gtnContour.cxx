@@ -285,9 +285,9 @@ void AddContour(CLI::App& app, Settings& settings)
     "of a\n"
     ".gtn file are read that a surface passes through; other meshes are read as a whole. A .gtn,\n"
     ".vtp or .vtk file has the interpolated arrays of the mesh, other files have no arrays. An\n"
-    "isovalue outside the range of the array is warned of, and where no surface comes of any, "
+    "isovalue outside the range of the array gives a warning. If no isovalue gives a surface, "
     "nothing\n"
-    "is written.",
+    "is written, and the exit code is 1.",
     "  gtn contour --value 0.5 mesh.gtn surface.vtp\n"
     "  gtn contour --value 0.5 mesh.gtn surface.gtn\n"
     "  gtn contour --array pressure --value 1e5,2e5 --normals --stats mesh.gtn surface.vtp\n"

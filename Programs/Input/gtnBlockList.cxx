@@ -4,10 +4,9 @@
 #include "gtnBlockList.h"
 
 #include "gtnFailure.h"
-#include "gtnMessages.h"
 #include "gtnPartList.h"
-#include "gtnReadable.h"
 #include "gtnText.h"
+#include "gtnXMLPieces.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
@@ -79,12 +78,8 @@ private:
     {
       throw Failure(file, "lists lists of blocks that list each other");
     }
-    CheckReadable(file);
     vtkNew<vtkXMLDataParser> parser;
-    parser->SetFileName(file.c_str());
-    parser->Parse();
-    CheckMessages(file, true);
-    vtkXMLDataElement* root = parser->GetRootElement();
+    vtkXMLDataElement* root = ParseXML(file, parser);
     this->Folders.push_back(std::filesystem::path(file).parent_path());
     vtkSmartPointer<vtkDataObjectTree> tree;
     for (int i = 0; root && i < root->GetNumberOfNestedElements(); ++i)

@@ -5,9 +5,9 @@
 
 #include "gtnFailure.h"
 #include "gtnJson.h"
-#include "gtnMessages.h"
 #include "gtnReadable.h"
 #include "gtnText.h"
+#include "gtnXMLPieces.h"
 
 #include "vtkNew.h"
 #include "vtkXMLDataElement.h"
@@ -65,10 +65,7 @@ private:
 std::vector<SeriesStep> ReadCollection(const std::string& file)
 {
   vtkNew<vtkXMLDataParser> parser;
-  parser->SetFileName(file.c_str());
-  parser->Parse();
-  CheckMessages(file, true);
-  vtkXMLDataElement* root = parser->GetRootElement();
+  vtkXMLDataElement* root = ParseXML(file, parser);
   vtkXMLDataElement* collection =
     root && root->GetName() && !std::strcmp(root->GetName(), "VTKFile")
     ? root->FindNestedElementWithName("Collection")
@@ -100,6 +97,7 @@ std::vector<SeriesStep> ReadCollection(const std::string& file)
 
 std::vector<SeriesStep> ReadSeries(const std::string& file)
 {
+  CheckReadable(file);
   Json::Value root;
   std::string reason; // the message below is enough
   if (!ParseJson(file, root, reason) || !root.isObject() || !root["files"].isArray())
@@ -145,7 +143,6 @@ bool IsFileList(const std::string& file)
 //------------------------------------------------------------------------------
 std::vector<SeriesStep> ReadFileList(const std::string& file)
 {
-  CheckReadable(file);
   return ExtensionOf(file) == ".pvd" ? ReadCollection(file) : ReadSeries(file);
 }
 }

@@ -5,7 +5,6 @@
 
 #include "gtnFailure.h"
 #include "gtnMessages.h"
-#include "gtnReadable.h"
 #include "gtnText.h"
 
 #include "vtkDataArray.h"
@@ -33,12 +32,8 @@ namespace
 // The element of a .pvtu or .pvtp file that lists the parts. parser: keeps it.
 vtkXMLDataElement* ParsePartList(const std::string& file, vtkXMLDataParser* parser)
 {
-  CheckReadable(file);
-  parser->SetFileName(file.c_str());
-  parser->Parse();
-  CheckMessages(file, true);
   const std::string extension = ExtensionOf(file);
-  vtkXMLDataElement* root = parser->GetRootElement();
+  vtkXMLDataElement* root = ParseXML(file, parser);
   vtkXMLDataElement* list = root && root->GetName() && !std::strcmp(root->GetName(), "VTKFile")
     ? root->FindNestedElementWithName(extension == ".pvtu" ? "PUnstructuredGrid" : "PPolyData")
     : nullptr;
@@ -47,14 +42,6 @@ vtkXMLDataElement* ParsePartList(const std::string& file, vtkXMLDataParser* pars
     throw Failure(file, "is not a " + extension + " file");
   }
   return list;
-}
-
-const XMLArrayForm* FindSame(const XMLForm& form, const XMLArrayForm& array)
-{
-  const auto found = std::find_if(form.Arrays.begin(), form.Arrays.end(),
-    [&](const XMLArrayForm& other)
-    { return other.Association == array.Association && other.Name == array.Name; });
-  return found == form.Arrays.end() ? nullptr : &*found;
 }
 
 bool IsReal(int type)

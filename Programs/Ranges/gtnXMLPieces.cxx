@@ -108,11 +108,8 @@ std::string FindDifference(const XMLForm& first, const XMLForm& other)
   }
   for (const XMLArrayForm& array : other.Arrays)
   {
-    const auto same = std::find_if(first.Arrays.begin(), first.Arrays.end(),
-      [&](const XMLArrayForm& one)
-      { return one.Association == array.Association && one.Name == array.Name; });
-    if (same != first.Arrays.end() &&
-      (same->Type != array.Type || same->Components != array.Components))
+    const XMLArrayForm* const same = FindSame(first, array);
+    if (same && (same->Type != array.Type || same->Components != array.Components))
     {
       return "the array '" + MakePrintableLine(array.Name) + "' is " + NameOfXMLType(same->Type) +
         " x " + std::to_string(same->Components) + " in one piece and " +
@@ -147,6 +144,25 @@ std::string NameOfXMLType(int type)
 }
 
 //------------------------------------------------------------------------------
+vtkXMLDataElement* ParseXML(const std::string& file, vtkXMLDataParser* parser)
+{
+  CheckReadable(file);
+  parser->SetFileName(file.c_str());
+  parser->Parse();
+  CheckMessages(file, true);
+  return parser->GetRootElement();
+}
+
+//------------------------------------------------------------------------------
+const XMLArrayForm* FindSame(const XMLForm& form, const XMLArrayForm& array)
+{
+  const auto found = std::find_if(form.Arrays.begin(), form.Arrays.end(),
+    [&](const XMLArrayForm& other)
+    { return other.Association == array.Association && other.Name == array.Name; });
+  return found == form.Arrays.end() ? nullptr : &*found;
+}
+
+//------------------------------------------------------------------------------
 XMLForm ReadXMLForm(const std::string& file)
 {
   const std::string extension = ExtensionOf(file);
@@ -154,12 +170,8 @@ XMLForm ReadXMLForm(const std::string& file)
   {
     return {};
   }
-  CheckReadable(file);
   vtkNew<vtkXMLDataParser> parser;
-  parser->SetFileName(file.c_str());
-  parser->Parse();
-  CheckMessages(file, true);
-  vtkXMLDataElement* root = parser->GetRootElement();
+  vtkXMLDataElement* root = ParseXML(file, parser);
   const auto meshes = NestedNamed(root, extension == ".vtu" ? "UnstructuredGrid" : "PolyData");
   const auto pieces = NestedNamed(meshes.empty() ? nullptr : meshes.front(), "Piece");
   const auto first = std::find_if_not(pieces.begin(), pieces.end(), IsEmptyPiece);

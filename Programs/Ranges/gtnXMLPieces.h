@@ -12,6 +12,7 @@
 #include <vector>
 
 class vtkXMLDataElement;
+class vtkXMLDataParser;
 
 namespace gtn
 {
@@ -31,6 +32,12 @@ struct XMLForm
   int PointType = 0;   ///< a type of VTK, or 0 without points
   std::vector<XMLArrayForm> Arrays;
 };
+
+/** Reads a file of XML. Returns its root, or null; parser keeps it. Throws Failure. */
+vtkXMLDataElement* ParseXML(const std::string& file, vtkXMLDataParser* parser);
+
+/** The array of a form with the association and name of another one, or null. */
+const XMLArrayForm* FindSame(const XMLForm& form, const XMLArrayForm& array);
 
 /** Reads that of the first piece with points or cells in a .vtu or .vtp file; an empty form of
  * other files. Throws Failure. */
