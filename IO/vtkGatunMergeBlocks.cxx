@@ -280,6 +280,11 @@ void Append(const gatun::BlockList& blocks, bool mergePoints, vtkUnstructuredGri
   output->GetPointData()->RemoveArray(MergeIdsName);
   points.Restore(output);
   cells.Restore(output);
+  auto* const first = pieces.empty() ? nullptr : vtkPointSet::SafeDownCast(pieces.front());
+  if (first && first->GetPoints() && output->GetPoints())
+  {
+    gatun::CopyNames(first->GetPoints()->GetData(), output->GetPoints()->GetData());
+  }
 }
 
 } // anonymous namespace

@@ -511,8 +511,7 @@ void vtkGatunWriter::WriteStep(vtkDataObject* input)
   {
     self.Warn("integer coordinates are written as double");
   }
-  const std::vector<gatun::BridgedArray> arrays =
-    gatun::BridgeSelected(grid, self.PointSelection, self.CellSelection);
+  const std::vector<gatun::BridgedArray> arrays = self.SelectArrays(grid);
   std::vector<gatun::ArrayDescription> descriptions;
   std::vector<const void*> values;
   for (const gatun::BridgedArray& array : arrays)

@@ -23,8 +23,14 @@
  * polygons other than triangles and no strips: vtkTriangleFilter divides them. Files of surfaces
  * have no layers, and SplitCells is an error. vtkGatunSurfaceReader reads them.
  *
- * Ghosts: cells marked DUPLICATECELL in vtkGhostType are left out, and points that only they use;
- * the marks for duplicates then go, too. Other marks (hidden cells and points) are kept.
+ * Ghosts: cells marked DUPLICATECELL in vtkGhostType are written as all others, with their marks.
+ * With SplitCells, NumberOfPieces or several processes they are left out, and so are points that
+ * only they use and the marks for duplicates; a warning tells their number. Other marks (hidden
+ * cells and points) are kept.
+ *
+ * Names and keys: the names of arrays, of the points, and of their components are kept, and so are
+ * their information keys with numbers, texts, lists of them (vtkDataArray::UNITS_LABEL() and keys
+ * of an application) and quadrature schemes. Other keys are left out with a warning.
  *
  * Time: with WriteAllTimeSteps, all time steps of the input go into one file. If points move, the
  * writer requests the first time steps twice. Cells and the number of points may change: then

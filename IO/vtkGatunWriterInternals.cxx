@@ -81,13 +81,40 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkGatunWriter::vtkInternals::MakeGrid(vtkD
     }
     grid = gatun::MakeSurfaceGrid(surface);
   }
-  const gatun::CellInput cells = gatun::MakeCellInput(grid, this->Owner->SplitCells);
+  // Pieces that are put together overlap in their ghost cells.
+  const gatun::CellInput cells = gatun::MakeCellInput(grid, this->Owner->SplitCells,
+    this->Pieces ? gatun::GhostCells::Remove : gatun::GhostCells::Keep);
+  if (this->Pieces)
+  {
+    this->LostGhosts += this->Surveying && this->Step == 0 ? cells.GhostCells : 0;
+  }
+  else if (cells.GhostCells > 0)
+  {
+    this->Warn(gatun::DescribeLostGhosts(cells.GhostCells));
+  }
   for (const std::string& warning : cells.Warnings)
   {
     this->Warn(warning);
   }
   return gatun::RoundPoints(
     cells.Grid, this->GetPointBound(), this->PieceCount == 1, this->PointError);
+}
+
+//------------------------------------------------------------------------------
+// The arrays to write, with warnings of what a file cannot hold of them.
+std::vector<gatun::BridgedArray> vtkGatunWriter::vtkInternals::SelectArrays(
+  vtkUnstructuredGrid* grid)
+{
+  auto arrays = gatun::BridgeSelected(grid, this->PointSelection, this->CellSelection);
+  for (const gatun::BridgedArray& array : arrays)
+  {
+    for (const std::string& key : array.RefusedKeys)
+    {
+      this->Warn("the key " + key + " of the array '" + array.Description.Name +
+        "' is left out, because its type cannot be written");
+    }
+  }
+  return arrays;
 }
 
 //------------------------------------------------------------------------------
@@ -327,10 +354,9 @@ gatun::GridPieces::Step vtkGatunWriter::vtkInternals::DescribeStep(
   gatun::GridPieces::Step step;
   std::vector<std::string> refused;
   step.Field = gatun::BridgeFieldData(fieldData, refused);
-  for (const std::string& name : refused)
+  for (const std::string& what : refused)
   {
-    this->Warn(
-      "the field array '" + name + "' is left out, because arrays of its type cannot be written");
+    this->Warn(what + " is left out, because its type cannot be written");
   }
   vtkInformation* info = input->GetInformation();
   const bool hasSteps = !this->Times.empty();
@@ -370,8 +396,7 @@ void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
   options.File = this->MakeOptions(nullptr, {}, none);
   this->Pieces = std::make_unique<gatun::GridPieces>(
     owner->FileName ? owner->FileName : "", options,
-    [this](vtkUnstructuredGrid* piece)
-    { return gatun::BridgeSelected(piece, this->PointSelection, this->CellSelection); },
+    [this](vtkUnstructuredGrid* piece) { return this->SelectArrays(piece); },
     vtkGatunWriter::JOIN_POINTS());
 }
 
@@ -385,6 +410,10 @@ void vtkGatunWriter::vtkInternals::FinishPieces(const gatun::ProcessExchange* ex
     this->Warn("integer coordinates are written as double");
   }
   const bool isFirst = !this->IsTogether || this->Piece == 0; // all processes know the numbers
+  if (this->LostGhosts > 0)                                   // of the pieces of this process
+  {
+    this->Warn(gatun::DescribeLostGhosts(this->LostGhosts));
+  }
   if (isFirst && statistics.DifferentPoints > 0)
   {
     this->Warn(std::to_string(statistics.DifferentPoints) +

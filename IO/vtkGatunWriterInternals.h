@@ -78,6 +78,7 @@ public:
   // exchange: between the processes that write together, or null.
   void FinishPieces(const gatun::ProcessExchange* exchange);
   vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(vtkDataObject* input);
+  std::vector<gatun::BridgedArray> SelectArrays(vtkUnstructuredGrid* grid);
   gatun::GridPieces::Step DescribeStep(vtkDataObject* input, vtkFieldData* fieldData);
 
   vtkGatunWriter* const Owner;
@@ -120,6 +121,7 @@ public:
   double PointError = 0;          // largest difference of a coordinate
   std::uint64_t JoinedPoints = 0; // points of pieces that are those of other pieces
   std::uint64_t BytesSent = 0;
+  std::size_t LostGhosts = 0;   // of pieces
   gatun::Statistics Statistics; // of the last file
   std::set<std::string> Warned;
   std::optional<bool> IsSurface; // once there is an input
@@ -151,6 +153,7 @@ public:
     this->Points = 0;
     this->Cells = 0;
     this->Warned.clear();
+    this->LostGhosts = 0;
     this->IsSurface.reset();
     this->Step = 0;
     this->PointsMove = false;

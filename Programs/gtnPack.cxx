@@ -255,8 +255,11 @@ void AddPack(CLI::App& app, Settings& settings)
     "  gtn pack --sets crash.e crash.gtn");
   AddForce(command, options->Overwrite);
   AddArrays(command, options->Input);
+  AddSkip(command, options->Input, "Leave out these point and cell arrays");
   AddSkipMissing(command, options->Input);
   AddSets(command, options->Input);
+  AddNoGhosts(command, options->Input,
+    "Leave out ghost cells (vtkGhostType) and points that only they use, as --pieces does");
   command
     ->add_option("--keep-order", options->KeepOrder,
       "Order to keep: none, points, cells, or all (points, cells, and the corners of "
@@ -349,6 +352,7 @@ void AddPack(CLI::App& app, Settings& settings)
         throw UsageError("--weight needs --hierarchy or --levels");
       }
       options->Input.InPieces = options->Pieces.AreGiven();
+      options->Input.NamesSets = true;
       if (options->Input.KeepApart && !options->Input.InPieces)
       {
         throw UsageError("--keep-apart needs --pieces or --memory: a mesh that is read as a whole "

@@ -17,6 +17,8 @@
 #include "gtnWriteMesh.h"
 
 #include "vtkDataObject.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -89,6 +91,11 @@ void Unpack(const UnpackOptions& options, const Settings& settings)
   Input input({ options.In }, options.Input);
   CheckWritable(options.Out, options.Overwrite);
   const vtkSmartPointer<vtkDataObject> data = ReadStep(input, options.Step, settings);
+  if (data->GetFieldData()->HasArray("TimeValue"))
+  {
+    // VTK's writer would put the time of the step in the place of the array.
+    data->GetInformation()->Remove(vtkDataObject::DATA_TIME_STEP());
+  }
   auto* const surface = vtkPolyData::SafeDownCast(data);
   if (surface ? !isOfSurfaces : !isOfGrids)
   {
@@ -141,6 +148,7 @@ void AddUnpack(CLI::App& app, Settings& settings)
     [=, &settings]
     {
       options->Input.Quiet = settings.Quiet;
+      options->Input.NamesSets = true;
       Unpack(*options, settings);
     });
 }

@@ -3,6 +3,7 @@
 
 #include "gatunArrayBridge.h"
 
+#include "gatunArrayKeys.h"
 #include "gatunError.h"
 #include "gatunLargeArray.h"
 #include "gatunNewArray.h"
@@ -192,6 +193,29 @@ vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array)
 }
 
 //------------------------------------------------------------------------------
+PointsDescription DescribePoints(vtkDataArray* points)
+{
+  return { NameOf(points), ComponentNamesOf(points), FindKeys(points).Keys };
+}
+
+//------------------------------------------------------------------------------
+void SetDescription(vtkDataArray* points, const PointsDescription& description)
+{
+  SetNames(points, description.Name, description.ComponentNames);
+  SetKeys(points, description.Keys);
+}
+
+//------------------------------------------------------------------------------
+void CopyNames(vtkAbstractArray* from, vtkAbstractArray* to)
+{
+  SetNames(to, NameOf(from), ComponentNamesOf(from));
+  if (from->HasInformation())
+  {
+    to->CopyInformation(from->GetInformation());
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkAbstractArray> Gather(
   vtkAbstractArray* array, const std::vector<vtkIdType>& tuples)
 {
@@ -199,11 +223,7 @@ vtkSmartPointer<vtkAbstractArray> Gather(
   auto gathered = vtk::TakeSmartPointer(vtkAbstractArray::CreateArray(array->GetDataType()));
   gathered->SetNumberOfComponents(array->GetNumberOfComponents());
   SizeArray(gathered, size);
-  SetNames(gathered, NameOf(array), ComponentNamesOf(array));
-  if (array->HasInformation())
-  {
-    gathered->CopyInformation(array->GetInformation());
-  }
+  CopyNames(array, gathered);
   auto* numbers = vtkDataArray::SafeDownCast(array);
   if (numbers && array->GetDataType() != VTK_BIT)
   {
@@ -238,7 +258,7 @@ BridgedArray Bridge(vtkAbstractArray* array, Association where)
   {
     throw Error(ErrorCode::InvalidInput,
       "the " + place + " array '" + NameOf(array) + "' is a " + array->GetClassName() +
-        ", which a .gtn file cannot hold; deselect it");
+        ", which a .gtn file cannot hold; deselect it (gtn pack --skip)");
   }
   BridgedArray bridged;
   bridged.Description.Name = NameOf(array);
@@ -247,6 +267,9 @@ BridgedArray Bridge(vtkAbstractArray* array, Association where)
   bridged.Description.Components = static_cast<std::uint32_t>(array->GetNumberOfComponents());
   bridged.Description.VTKType = array->GetDataType();
   bridged.Description.ComponentNames = ComponentNamesOf(array);
+  FoundKeys found = FindKeys(array);
+  bridged.Description.Keys = std::move(found.Keys);
+  bridged.RefusedKeys = std::move(found.Refused);
   bridged.Owner = Contiguous(numbers);
   bridged.Values = bridged.Owner->GetVoidPointer(0);
   return bridged;
@@ -289,6 +312,7 @@ ArrayFiller::ArrayFiller(const ArrayDescription& description, vtkIdType tuples)
     static_cast<std::size_t>(this->Array->GetNumberOfValues()) *
       static_cast<std::size_t>(this->Array->GetDataTypeSize()));
   SetNames(this->Array, description.Name, description.ComponentNames);
+  SetKeys(this->Array, description.Keys);
   this->Bits = type == VTK_BIT;
   if (this->Bits)
   {
@@ -353,6 +377,12 @@ FieldData BridgeFieldData(vtkFieldData* field, std::vector<std::string>& refused
     stored.VTKType = array->GetDataType();
     stored.Components = static_cast<std::uint32_t>(array->GetNumberOfComponents());
     stored.ComponentNames = ComponentNamesOf(array);
+    FoundKeys found = FindKeys(array);
+    stored.Keys = std::move(found.Keys);
+    for (const std::string& key : found.Refused)
+    {
+      refused.push_back("the key " + key + " of the field array '" + stored.Name + "'");
+    }
     if (auto* texts = vtkStringArray::SafeDownCast(array))
     {
       stored.IsText = true;
@@ -367,7 +397,7 @@ FieldData BridgeFieldData(vtkFieldData* field, std::vector<std::string>& refused
       auto* numbers = vtkDataArray::SafeDownCast(array);
       if (!numbers || !type)
       {
-        refused.push_back(stored.Name);
+        refused.push_back("the field array '" + stored.Name + "'");
         continue;
       }
       stored.Type = *type;
@@ -408,6 +438,7 @@ void AddFieldData(vtkFieldData* field, const FieldData& arrays)
         texts->SetValue(static_cast<vtkIdType>(i), stored.Texts[i]);
       }
       SetNames(texts, stored.Name, stored.ComponentNames);
+      SetKeys(texts, stored.Keys);
       array = texts;
     }
     else
@@ -418,6 +449,7 @@ void AddFieldData(vtkFieldData* field, const FieldData& arrays)
       description.VTKType = stored.VTKType;
       description.Components = stored.Components;
       description.ComponentNames = stored.ComponentNames;
+      description.Keys = stored.Keys;
       ArrayFiller filler(description, static_cast<vtkIdType>(stored.Values.size() / tupleBytes));
       if (!stored.Values.empty())
       {

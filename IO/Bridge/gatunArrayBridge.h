@@ -35,7 +35,8 @@ struct BridgedArray
 {
   ArrayDescription Description;
   const void* Values = nullptr;
-  vtkSmartPointer<vtkDataArray> Owner; ///< keeps Values alive
+  vtkSmartPointer<vtkDataArray> Owner;  ///< keeps Values alive
+  std::vector<std::string> RefusedKeys; ///< information keys that a file cannot hold
 };
 
 /**
@@ -48,6 +49,15 @@ VTKGATUNIO_EXPORT BridgedArray Bridge(vtkAbstractArray* array, Association where
 /** Returns the array itself if its tuples are contiguous in memory, otherwise a contiguous copy of
  * the same type. A bit array is copied to bytes 0 and 1. */
 VTKGATUNIO_EXPORT vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array);
+
+/** The description of an array of points. */
+PointsDescription DescribePoints(vtkDataArray* points);
+
+/** Gives the array of some points its names and keys. */
+void SetDescription(vtkDataArray* points, const PointsDescription& description);
+
+/** Gives an array the name, component names and keys of another one. */
+VTKGATUNIO_EXPORT void CopyNames(vtkAbstractArray* from, vtkAbstractArray* to);
 
 /** Returns an array of the same type and names with the given tuples. */
 vtkSmartPointer<vtkAbstractArray> Gather(
@@ -88,8 +98,8 @@ VTKGATUNIO_EXPORT void AddWithRoles(
   vtkDataSetAttributes* attributes, vtkAbstractArray* array, std::uint32_t attributeRoles);
 
 /**
- * Converts field data for a file. Arrays that a file cannot hold (variant arrays) are skipped;
- * their names are appended to refused.
+ * Converts field data for a file. Arrays that a file cannot hold (variant arrays) are skipped, and
+ * so are such keys; what is skipped is appended to refused.
  */
 FieldData BridgeFieldData(vtkFieldData* field, std::vector<std::string>& refused);
 

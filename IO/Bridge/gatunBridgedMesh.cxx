@@ -63,6 +63,10 @@ BridgedMesh::BridgedMesh(vtkUnstructuredGrid* grid)
     this->Mesh.Points = static_cast<std::uint64_t>(grid->GetNumberOfPoints());
     this->Mesh.Coordinates = this->Coordinates->GetVoidPointer(0);
   }
+  if (grid->GetPoints())
+  {
+    this->Mesh.PointArray = DescribePoints(grid->GetPoints()->GetData());
+  }
   if (grid->GetPoints() && grid->GetPoints()->GetDataType() != VTK_FLOAT)
   {
     this->Mesh.CoordinateType = ScalarType::Float64;

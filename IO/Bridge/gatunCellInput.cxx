@@ -103,10 +103,18 @@ private:
 }
 
 //------------------------------------------------------------------------------
-CellInput MakeCellInput(vtkUnstructuredGrid* input, bool split)
+std::string DescribeLostGhosts(std::size_t cells)
+{
+  return std::to_string(cells) + (cells == 1 ? " ghost cell is" : " ghost cells are") +
+    " left out (vtkGhostType)";
+}
+
+//------------------------------------------------------------------------------
+CellInput MakeCellInput(vtkUnstructuredGrid* input, bool split, GhostCells ghosts)
 {
   if (split)
   {
+    const std::size_t lost = CountGhosts(input->GetCellData());
     TetInput tets = MakeTetInput(input, true);
     if (!tets.Split.empty())
     {
@@ -117,7 +125,7 @@ CellInput MakeCellInput(vtkUnstructuredGrid* input, bool split)
     {
       tets.Warnings.push_back(tets.LeftOut + " are left out");
     }
-    return { tets.Grid, tets.Warnings };
+    return { tets.Grid, tets.Warnings, lost };
   }
   CheckGrid(input);
   const BridgedMesh mesh(input);
@@ -127,10 +135,14 @@ CellInput MakeCellInput(vtkUnstructuredGrid* input, bool split)
   }
   const MeshAccess access(mesh.Mesh);
   CheckCells(access);
-  if (!GhostsWith(input->GetCellData(), vtkDataSetAttributes::DUPLICATECELL))
+  const std::size_t lost = ghosts == GhostCells::Remove ? CountGhosts(input->GetCellData()) : 0;
+  CellInput cells;
+  cells.Grid = input;
+  if (lost > 0)
   {
-    return { input, {} };
+    cells.Grid = GhostRemover(input, access).Make();
   }
-  return { GhostRemover(input, access).Make(), {} };
+  cells.GhostCells = lost;
+  return cells;
 }
 }

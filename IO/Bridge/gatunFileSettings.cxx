@@ -3,13 +3,41 @@
 
 #include "gatunFileSettings.h"
 
+#include "gatunFileReader.h"
 #include "gatunReport.h"
 
+#include "vtkDataSetAttributes.h"
+
 #include <algorithm>
+#include <cstddef>
 #include <exception>
 
 namespace gatun
 {
+namespace
+{
+/** Whether some cells of a file are not to be drawn: ghost cells and hidden ones. */
+bool HasMarkedCells(const FileReader& file)
+{
+  const auto& arrays = file.GetArrays();
+  for (std::size_t a = 0; a < arrays.size(); ++a)
+  {
+    if (arrays[a].Where == Association::Cell &&
+      arrays[a].Name == vtkDataSetAttributes::GhostArrayName())
+    {
+      for (std::size_t step = 0; step < file.GetNumberOfSteps(); ++step)
+      {
+        if (file.GetRanges(a, step).front().Max > 0)
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+}
+
 //------------------------------------------------------------------------------
 std::size_t FileSettings::CountMerges(SharedFile& mesh) const
 {
@@ -25,7 +53,7 @@ std::size_t FileSettings::CountMerges(SharedFile& mesh) const
 //------------------------------------------------------------------------------
 bool FileSettings::IsOnDemand(SharedFile& mesh) const
 {
-  if (this->HasRegion || !this->LargeMesh)
+  if (this->HasRegion || !this->LargeMesh || HasMarkedCells(*mesh.GetFile()))
   {
     return false;
   }
@@ -52,6 +80,10 @@ PublishedFile FileSettings::Describe(const std::shared_ptr<SharedFile>& mesh) co
   }
   try
   {
+    if (!this->HasRegion && HasMarkedCells(*mesh->GetFile()))
+    {
+      handle.Reason = "the file has ghost cells or hidden cells (vtkGhostType)";
+    }
     handle.Merges = this->CountMerges(*mesh);
     handle.OnDemand = this->IsOnDemand(*mesh);
   }

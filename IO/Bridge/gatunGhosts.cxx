@@ -32,6 +32,21 @@ vtkUnsignedCharArray* GhostsWith(vtkDataSetAttributes* attributes, unsigned char
 }
 
 //------------------------------------------------------------------------------
+std::size_t CountGhosts(vtkDataSetAttributes* cellData)
+{
+  constexpr unsigned char bit = vtkDataSetAttributes::DUPLICATECELL;
+  std::size_t count = 0;
+  if (vtkUnsignedCharArray* const ghosts = GhostsWith(cellData, bit))
+  {
+    for (vtkIdType i = 0; i < ghosts->GetNumberOfValues(); ++i)
+    {
+      count += (ghosts->GetValue(i) & bit) != 0;
+    }
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
 void ClearGhosts(vtkDataSetAttributes* attributes, unsigned char bit)
 {
   const char* name = vtkDataSetAttributes::GhostArrayName();

@@ -7,6 +7,8 @@
 #include "vtkGatunIOModule.h" // For export macro
 #include "vtkType.h"          // For VTK_ABI_NAMESPACE_BEGIN
 
+#include <cstddef>
+
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
@@ -23,6 +25,10 @@ namespace gatun
  * Exported for the filters. */
 VTKGATUNIO_EXPORT vtkUnsignedCharArray* GhostsWith(
   vtkDataSetAttributes* attributes, unsigned char bit);
+
+/** The number of cells of a grid that are marked as ghost cells (DUPLICATECELL). Exported for gtn.
+ */
+VTKGATUNIO_EXPORT std::size_t CountGhosts(vtkDataSetAttributes* cellData);
 
 /** Clears a bit in all values of vtkGhostType in place; removes the array if no bit remains. */
 void ClearGhosts(vtkDataSetAttributes* attributes, unsigned char bit);

@@ -391,6 +391,7 @@ vtkSmartPointer<vtkPoints> PieceReader::MakePoints(
   coordinates->SetDataType(
     file.GetCoordinateType() == ScalarType::Float64 ? VTK_DOUBLE : VTK_FLOAT);
   SizePoints(coordinates, points);
+  SetDescription(coordinates->GetData(), file.GetPointArray());
   target.Points = coordinates->GetVoidPointer(0);
   AskForHugePages(target.Points,
     3 * static_cast<std::size_t>(points) *

@@ -3,6 +3,7 @@
 
 #include "gatunPointRounding.h"
 
+#include "gatunArrayBridge.h"
 #include "gatunError.h"
 #include "gatunNewArray.h"
 #include "gatunParallel.h"
@@ -317,6 +318,7 @@ vtkSmartPointer<vtkUnstructuredGrid> RoundPoints(
     return grid;
   }
   vtkNew<vtkPoints> places;
+  CopyNames(grid->GetPoints()->GetData(), rounded);
   places->SetData(rounded);
   auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
   result->ShallowCopy(grid);

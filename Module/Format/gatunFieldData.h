@@ -17,6 +17,7 @@ struct FieldArray
   std::int32_t VTKType = 0; ///< as in ArrayDescription; VTK_STRING for strings
   std::uint32_t Components = 1;
   std::vector<std::string> ComponentNames;
+  std::vector<ArrayKey> Keys;
 
   bool IsText = false;
   ScalarType Type = ScalarType::Float64; ///< of Values, if not IsText

@@ -9,6 +9,11 @@
 
 namespace gatun
 {
+namespace
+{
+constexpr std::uint8_t FlagFieldKeys = 128; // beside the type of values
+}
+
 //------------------------------------------------------------------------------
 Bytes WriteFieldData(const FieldData& field)
 {
@@ -20,7 +25,12 @@ Bytes WriteFieldData(const FieldData& field)
     out.Put(array.VTKType);
     out.PutVarint(array.Components);
     PutStrings(out, array.ComponentNames);
-    out.Put(static_cast<std::uint8_t>(array.IsText ? 0 : static_cast<std::uint8_t>(array.Type)));
+    out.Put(static_cast<std::uint8_t>((array.IsText ? 0 : static_cast<std::uint8_t>(array.Type)) |
+      (array.Keys.empty() ? 0 : FlagFieldKeys)));
+    if (!array.Keys.empty())
+    {
+      PutKeys(out, array.Keys);
+    }
     if (array.IsText)
     {
       PutStrings(out, array.Texts);
@@ -48,8 +58,13 @@ FieldData ReadFieldData(std::span<const std::uint8_t> bytes)
     Check(components <= std::numeric_limits<std::int32_t>::max(), "too many components");
     array.Components = static_cast<std::uint32_t>(components);
     array.ComponentNames = GetStrings(in);
-    const auto type = in.Get<std::uint8_t>();
+    const auto mark = in.Get<std::uint8_t>();
+    const auto type = static_cast<std::uint8_t>(mark & ~FlagFieldKeys);
     Check(type <= 10, "a value type is unknown");
+    if (mark & FlagFieldKeys)
+    {
+      array.Keys = GetKeys(in);
+    }
     array.IsText = type == 0;
     if (array.IsText)
     {

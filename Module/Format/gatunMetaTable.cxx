@@ -12,6 +12,8 @@ namespace
 // Flags of time.
 constexpr std::uint8_t FlagTime = 1;
 constexpr std::uint8_t FlagMotion = 2;
+constexpr std::uint8_t FlagPoints = 4; // the array of the points is described
+constexpr std::uint8_t TimeFlags = FlagTime | FlagMotion | FlagPoints;
 }
 
 //------------------------------------------------------------------------------
@@ -34,14 +36,19 @@ Bytes MetaTable::Write() const
   out.PutVarint(this->UnusedPoints);
   out.Put(static_cast<std::uint8_t>(this->CoordinateType));
   out.Put(static_cast<std::uint8_t>(this->WideIds));
-  out.Put(static_cast<std::uint8_t>(
-    (this->HasTime ? FlagTime : 0) | (this->PointsMove ? FlagMotion : 0)));
+  const bool hasPoints = this->PointArray != PointsDescription();
+  out.Put(static_cast<std::uint8_t>((this->HasTime ? FlagTime : 0) |
+    (this->PointsMove ? FlagMotion : 0) | (hasPoints ? FlagPoints : 0)));
   out.Put(this->Keep);
   out.PutVarint(this->ChunkSize);
   out.PutVarint(this->KeyStepInterval);
   for (const auto& range : this->Box)
   {
     PutRange(out, range);
+  }
+  if (hasPoints)
+  {
+    PutPoints(out, this->PointArray);
   }
   PutArrays(out, std::span(this->Arrays).first(this->GetListedArrays()));
   return Pack(out, SmallTable);
@@ -60,9 +67,10 @@ MetaTable MetaTable::Read(std::span<const std::uint8_t> bytes)
   Check(IsFloating(meta.CoordinateType), "the coordinates have an unknown type");
   meta.WideIds = in.Get<std::uint8_t>() != 0;
   const auto time = in.Get<std::uint8_t>();
-  meta.HasTime = time != 0;
+  Check(time <= TimeFlags, "the meta data have unknown flags");
+  meta.HasTime = (time & FlagTime) != 0;
   meta.PointsMove = (time & FlagMotion) != 0;
-  Check(!meta.PointsMove || (time & FlagTime) != 0, "points move in a file that has no time");
+  Check(!meta.PointsMove || meta.HasTime, "points move in a file that has no time");
   meta.Keep = in.Get<std::uint8_t>();
   Check(meta.Keep <= KeepAll, "the kept order is unknown");
   meta.ChunkSize = GetSmall(in);
@@ -70,6 +78,10 @@ MetaTable MetaTable::Read(std::span<const std::uint8_t> bytes)
   for (auto& range : meta.Box)
   {
     range = GetRange(in);
+  }
+  if (time & FlagPoints)
+  {
+    meta.PointArray = GetPoints(in);
   }
   meta.Arrays = GetArrays(in);
   if (meta.PointsMove)

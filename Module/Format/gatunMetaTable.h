@@ -32,6 +32,7 @@ struct MetaTable
   std::uint32_t ChunkSize = 0;
   std::uint32_t KeyStepInterval = 1;
   Bounds Box;
+  PointsDescription PointArray;
 
   /** The arrays of the file. If the points move, one more comes last, their coordinates: tables of
    * time steps have it like the others, but the file does not list it. */

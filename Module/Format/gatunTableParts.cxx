@@ -27,6 +27,8 @@ constexpr std::uint64_t BinaryMark = BoundMark + 1;
 constexpr std::uint8_t FlagLattice = 1;
 constexpr std::uint8_t FlagKeepZeros = 2;
 
+constexpr std::uint8_t FlagKeys = 2; // beside what an array belongs to
+
 void PutQuantizer(ByteWriter& out, const Quantizer& rounding)
 {
   out.Put(static_cast<std::uint8_t>(rounding.Bound.Kind));
@@ -223,18 +225,106 @@ ScalarType GetScalarType(ByteReader& in)
 }
 
 //------------------------------------------------------------------------------
+void PutKeys(ByteWriter& out, const std::vector<ArrayKey>& keys)
+{
+  out.PutVarint(keys.size());
+  for (const auto& key : keys)
+  {
+    out.PutString(key.Location);
+    out.PutString(key.Name);
+    out.Put(static_cast<std::uint8_t>(key.Kind));
+    if (IsOfTexts(key.Kind))
+    {
+      PutStrings(out, key.Texts);
+      continue;
+    }
+    out.PutVarint(key.Numbers.size());
+    for (const auto number : key.Numbers)
+    {
+      out.Put(number);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<ArrayKey> GetKeys(ByteReader& in)
+{
+  constexpr std::uint64_t least = 6; // bytes of a key with a name of one letter and an empty text
+  std::vector<ArrayKey> keys(in.GetCount(least));
+  Check(!keys.empty(), "an array has an empty list of keys");
+  for (auto& key : keys)
+  {
+    key.Location = in.GetString();
+    key.Name = in.GetString();
+    Check(!key.Location.empty() && !key.Name.empty(), "a key has no name");
+    const auto kind = in.Get<std::uint8_t>();
+    Check(kind >= 1 && kind <= static_cast<std::uint8_t>(KeyKind::Quadrature),
+      "a key is of an unknown kind");
+    key.Kind = static_cast<KeyKind>(kind);
+    if (IsOfTexts(key.Kind))
+    {
+      key.Texts = GetStrings(in);
+    }
+    else
+    {
+      key.Numbers.resize(in.GetCount(sizeof(std::uint64_t)));
+      for (auto& number : key.Numbers)
+      {
+        number = in.Get<std::uint64_t>();
+      }
+    }
+    Check(key.Kind > KeyKind::Text || key.Numbers.size() + key.Texts.size() == 1,
+      "a key of one value has another number of values");
+  }
+  return keys;
+}
+
+//------------------------------------------------------------------------------
+void PutPoints(ByteWriter& out, const PointsDescription& points)
+{
+  out.PutString(points.Name);
+  PutStrings(out, points.ComponentNames);
+  out.Put(static_cast<std::uint8_t>(!points.Keys.empty()));
+  if (!points.Keys.empty())
+  {
+    PutKeys(out, points.Keys);
+  }
+}
+
+//------------------------------------------------------------------------------
+PointsDescription GetPoints(ByteReader& in)
+{
+  PointsDescription points;
+  points.Name = in.GetString();
+  points.ComponentNames = GetStrings(in);
+  Check(points.ComponentNames.size() <= 3, "points have too many names of components");
+  const auto hasKeys = in.Get<std::uint8_t>();
+  Check(hasKeys <= 1, "it is unknown whether the points have keys");
+  if (hasKeys)
+  {
+    points.Keys = GetKeys(in);
+  }
+  return points;
+}
+
+//------------------------------------------------------------------------------
 void PutArrays(ByteWriter& out, std::span<const ArrayDescription> arrays)
 {
   out.PutVarint(arrays.size());
   for (const auto& array : arrays)
   {
     out.PutString(array.Name);
-    out.Put(static_cast<std::uint8_t>(array.Where));
+    out.Put(static_cast<std::uint8_t>(
+      static_cast<std::uint8_t>(array.Where) | (array.Keys.empty() ? 0 : FlagKeys)));
     out.Put(static_cast<std::uint8_t>(array.Type));
     out.PutVarint(array.Components);
     out.Put(array.VTKType);
     out.Put(array.AttributeRoles);
     PutStrings(out, array.ComponentNames);
+    if (!array.Keys.empty())
+    {
+      PutKeys(out, array.Keys);
+    }
   }
 }
 
@@ -246,8 +336,8 @@ std::vector<ArrayDescription> GetArrays(ByteReader& in)
   {
     array.Name = in.GetString();
     const auto where = in.Get<std::uint8_t>();
-    Check(where <= 1, "an array belongs to neither points nor cells");
-    array.Where = static_cast<Association>(where);
+    Check(where <= (1 | FlagKeys), "an array belongs to neither points nor cells");
+    array.Where = static_cast<Association>(where & 1);
     array.Type = GetScalarType(in);
     const auto components = in.GetVarint();
     Check(components >= 1 && components <= MaxComponents, "an array has too many components");
@@ -256,6 +346,10 @@ std::vector<ArrayDescription> GetArrays(ByteReader& in)
     array.AttributeRoles = in.Get<std::uint32_t>();
     array.ComponentNames = GetStrings(in);
     Check(array.ComponentNames.size() <= array.Components, "too many names of components");
+    if (where & FlagKeys)
+    {
+      array.Keys = GetKeys(in);
+    }
   }
   return arrays;
 }

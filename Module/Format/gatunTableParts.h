@@ -73,6 +73,14 @@ std::vector<std::string> GetStrings(ByteReader& in);
 /** A value type; throws if it is unknown. */
 ScalarType GetScalarType(ByteReader& in);
 
+/** Keys of an array: at least one. */
+void PutKeys(ByteWriter& out, const std::vector<ArrayKey>& keys);
+std::vector<ArrayKey> GetKeys(ByteReader& in);
+
+/** The description of the points, as META has it. */
+void PutPoints(ByteWriter& out, const PointsDescription& points);
+PointsDescription GetPoints(ByteReader& in);
+
 /** Descriptions of arrays, as META has them. */
 void PutArrays(ByteWriter& out, std::span<const ArrayDescription> arrays);
 std::vector<ArrayDescription> GetArrays(ByteReader& in);

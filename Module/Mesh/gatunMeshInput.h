@@ -20,6 +20,7 @@ struct MeshInput
   std::uint64_t Points = 0;
   ScalarType CoordinateType = ScalarType::Float32; ///< Float32 or Float64
   const void* Coordinates = nullptr;               ///< x, y, z of each point
+  PointsDescription PointArray;
   std::uint64_t Cells = 0;
   const void* Connectivity = nullptr; ///< the point ids of each cell: four if Types is null
   bool WideIds = true; ///< whether ids are std::int64_t or std::int32_t; recorded in the file

@@ -296,6 +296,11 @@ ScalarType FileReader::GetCoordinateType() const
   return this->Self->Meta.CoordinateType;
 }
 
+const PointsDescription& FileReader::GetPointArray() const
+{
+  return this->Self->Meta.PointArray;
+}
+
 bool FileReader::HasWideIds() const
 {
   return this->Self->Meta.WideIds;

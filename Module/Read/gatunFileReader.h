@@ -55,9 +55,10 @@ public:
   std::uint64_t GetNumberOfSharedPoints() const;          ///< shared by several chunks
   std::uint64_t GetNumberOfUnusedPoints() const;          ///< used by no cell; numbered last
   ScalarType GetCoordinateType() const;
-  bool HasWideIds() const;           ///< MeshInput::WideIds
-  std::uint8_t GetKeptOrder() const; ///< flags of KeepOrder
-  const Bounds& GetBounds() const;   ///< of the mesh: at the first time step if its points move
+  const PointsDescription& GetPointArray() const; ///< the name of the points and their keys
+  bool HasWideIds() const;                        ///< MeshInput::WideIds
+  std::uint8_t GetKeptOrder() const;              ///< flags of KeepOrder
+  const Bounds& GetBounds() const; ///< of the mesh: at the first time step if its points move
 
   /** Whether time steps have coordinates of their own (WriterOptions::PointsMove). */
   bool HasMovingPoints() const;

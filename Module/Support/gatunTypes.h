@@ -62,6 +62,47 @@ enum class Association : std::uint8_t
   Cell = 1
 };
 
+/** What a key of an array holds. The numbers are those of the file format. */
+enum class KeyKind : std::uint8_t
+{
+  Integer = 1,
+  Double = 2,
+  Id = 3,
+  Unsigned = 4,
+  Text = 5,
+  Integers = 6,
+  Doubles = 7,
+  Texts = 8,
+  Quadrature = 9 ///< numbers of integration schemes
+};
+
+constexpr bool IsOfTexts(KeyKind kind)
+{
+  return kind == KeyKind::Text || kind == KeyKind::Texts;
+}
+
+/** An information key of an array, such as its unit, with its value. */
+struct ArrayKey
+{
+  std::string Location; ///< the class that defines the key
+  std::string Name;
+  KeyKind Kind = KeyKind::Integer;
+  std::vector<std::uint64_t> Numbers; ///< the bits of 64-bit integers or of double values
+  std::vector<std::string> Texts;     ///< if IsOfTexts
+
+  bool operator==(const ArrayKey&) const = default;
+};
+
+/** The array of the points without its values. */
+struct PointsDescription
+{
+  std::string Name = "Points";
+  std::vector<std::string> ComponentNames;
+  std::vector<ArrayKey> Keys;
+
+  bool operator==(const PointsDescription&) const = default;
+};
+
 /** A point or cell array without its values. */
 struct ArrayDescription
 {
@@ -81,6 +122,8 @@ struct ArrayDescription
 
   /** One name for each component, or empty. */
   std::vector<std::string> ComponentNames;
+
+  std::vector<ArrayKey> Keys = {};
 
   bool operator==(const ArrayDescription&) const = default;
 };

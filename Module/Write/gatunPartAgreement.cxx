@@ -4,6 +4,7 @@
 #include "gatunPartAgreement.h"
 
 #include "gatunError.h"
+#include "gatunTableParts.h"
 
 #include <algorithm>
 #include <cstring>
@@ -113,6 +114,7 @@ void PartAgreement::PutSurvey(
   settings.Points = settings.UnusedPoints = 0;
   settings.ChunkSize = 0;
   settings.CoordinateType = {};
+  settings.PointArray = {};
   settings.WideIds = false;
   PutSized(out, settings.Write());
   const auto& meta = this->State.Meta;
@@ -125,6 +127,7 @@ void PartAgreement::PutSurvey(
   }
   out.PutVarint(parts.empty() ? 0 : parts[0].StepHashes.size());
   out.Put<std::uint8_t>(hasIds ? *hasIds : 2);
+  PutPoints(out, meta.PointArray);
   out.Put(static_cast<std::uint8_t>(meta.CoordinateType));
   out.Put<std::uint8_t>(meta.WideIds);
   out.Put<std::uint8_t>(this->State.HasCells);
@@ -155,6 +158,7 @@ void PartAgreement::AgreeOnParts(
   std::size_t steps = 0;
   std::uint8_t ids = 2;
   std::size_t chunks = 0;
+  PointsDescription pointArray;
   Bytes settings;
   for (std::size_t p = 0; p < surveys.size(); ++p)
   {
@@ -179,7 +183,9 @@ void PartAgreement::AgreeOnParts(
     chunks += share.Chunks;
     const auto count = static_cast<std::size_t>(in.GetVarint());
     const auto itsIds = in.Get<std::uint8_t>();
+    const auto points = GetPoints(in);
     const auto type = static_cast<ScalarType>(in.Get<std::uint8_t>());
+    pointArray = pointArray == PointsDescription() ? points : pointArray;
     if (share.Parts > 0)
     {
       const bool isFirst = share.FirstPart == 0;
@@ -212,6 +218,7 @@ void PartAgreement::AgreeOnParts(
     state.Shapes.AddUses(in);
     this->Shares.push_back(share);
   }
+  meta.PointArray = pointArray;
   if (all.empty())
   {
     ThrowInvalid("no process has a part");

@@ -60,6 +60,10 @@ void WriterState::Describe(const MeshAccess& part)
   {
     ThrowInvalid("parts have coordinates of different types");
   }
+  if (this->Meta.Points == 0)
+  {
+    this->Meta.PointArray = mesh.PointArray;
+  }
   this->Meta.CoordinateType = mesh.CoordinateType;
   this->Meta.WideIds = this->Meta.WideIds || mesh.WideIds;
   this->Meta.Points += mesh.Points;

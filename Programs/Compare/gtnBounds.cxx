@@ -97,7 +97,7 @@ std::vector<BoundedComparison::Pair> BoundedComparison::Take(
     // The coordinates come first among the points.
     const auto find = [&](std::vector<ArrayView>& views)
     {
-      return std::find_if(views.begin() + (ofPoints ? 1 : 0), views.end(),
+      return std::find_if(views.begin() + (ofPoints && !views.empty() ? 1 : 0), views.end(),
         [&](const ArrayView& view) { return view.Owner->GetName() == arrays[a].Name; });
     };
     const auto one = find(first);
@@ -160,24 +160,32 @@ std::string BoundedComparison::CheckArray(
 }
 
 //------------------------------------------------------------------------------
-std::string BoundedComparison::Compare(
-  GridView packed, GridView original, const gatun::FileReader& mesh, std::size_t step)
+Differences BoundedComparison::Compare(GridView packed, GridView original,
+  const gatun::FileReader& mesh, std::size_t step, bool withRoles)
 {
-  if (auto difference = this->Others.CompareOutlines(packed, original); !difference.empty())
+  Differences differences = this->Others.MatchArrays(packed, original, withRoles);
+  if (this->Others.AreAlike(packed, original) && this->AreValuesEqual)
   {
-    return difference;
-  }
-  const auto points = Take(packed, original, mesh, true);
-  const auto cells = Take(packed, original, mesh, false);
-  std::string difference = this->Others.Compare(packed, original);
-  for (const auto* pairs : { &points, &cells })
-  {
-    for (std::size_t i = 0; difference.empty() && i < pairs->size(); ++i)
+    const auto points = Take(packed, original, mesh, true);
+    const auto cells = Take(packed, original, mesh, false);
+    Differences values = this->Others.CompareValues(packed, original);
+    for (const auto* pairs : { &points, &cells })
     {
-      this->IsBounded = true;
-      difference = this->CheckArray((*pairs)[i], mesh, step, pairs == &points);
+      for (std::size_t i = 0; values.empty() && i < pairs->size(); ++i)
+      {
+        this->IsBounded = true;
+        if (std::string wrong = this->CheckArray((*pairs)[i], mesh, step, pairs == &points);
+            !wrong.empty())
+        {
+          values.push_back(std::move(wrong));
+        }
+      }
     }
+    this->AreValuesEqual = values.empty();
+    differences.insert(differences.end(), values.begin(), values.end());
   }
-  return difference;
+  const Differences fields = this->Others.CompareFieldData(packed, original);
+  differences.insert(differences.end(), fields.begin(), fields.end());
+  return differences;
 }
 }

@@ -34,10 +34,10 @@ public:
   {
   }
 
-  /** Compares a step. Returns a description of the first difference, or an empty string. mesh: of
-   * the file; step: among those of the mesh. */
-  std::string Compare(
-    GridView packed, GridView original, const gatun::FileReader& mesh, std::size_t step);
+  /** Compares a step. mesh: of the file; step: among those of the mesh. withRoles: as
+   * Comparison::MatchArrays. Values are compared as long as all those before were equal. */
+  Differences Compare(GridView packed, GridView original, const gatun::FileReader& mesh,
+    std::size_t step, bool withRoles);
 
   /** Whether there are arrays with errors, and the largest error as a part of its bound. */
   bool HasBounds() const { return this->IsBounded; }
@@ -58,6 +58,7 @@ private:
     const Pair& pair, const gatun::FileReader& mesh, std::size_t step, bool ofPoints);
 
   Comparison& Others;
+  bool AreValuesEqual = true; // so far
   bool IsBounded = false;
   double Worst = 0;
 };

@@ -197,6 +197,12 @@ std::vector<std::pair<Property, Property>> PropertiesOf(
   return properties;
 }
 
+std::string TitleOfField(vtkAbstractArray* array)
+{
+  return fmt::format(
+    "field array '{}'", MakePrintableLine(array->GetName() ? array->GetName() : ""));
+}
+
 std::string CornersText(const GridView& grid, std::size_t cell)
 {
   std::vector<std::string> texts;
@@ -233,52 +239,81 @@ std::size_t Comparison::GetIndistinguishablePoints() const
 }
 
 //------------------------------------------------------------------------------
-std::string Comparison::CompareOutlines(const GridView& first, const GridView& second) const
+bool Comparison::HavePoints(const GridView& first, const GridView& second) const
 {
-  const std::string& a = this->First.Name;
-  const std::string& b = this->Second.Name;
-  if (first.Points != second.Points && !(this->MayBeJoined && first.Points < second.Points))
-  {
-    return fmt::format("{} has {} points, {} has {}", a, first.Points, b, second.Points);
-  }
-  if (first.Cells != second.Cells)
-  {
-    return fmt::format("{} has {} cells, {} has {}", a, first.Cells, b, second.Cells);
-  }
-  const std::string difference = this->CompareArrays(first.PointArrays, second.PointArrays, false);
-  return difference.empty() ? this->CompareArrays(first.CellArrays, second.CellArrays, false)
-                            : difference;
+  return first.Points == second.Points || (this->MayBeJoined && first.Points < second.Points);
 }
 
 //------------------------------------------------------------------------------
-std::string Comparison::Compare(const GridView& first, const GridView& second)
+bool Comparison::AreAlike(const GridView& first, const GridView& second) const
 {
-  std::string difference = this->CompareOutlines(first, second);
-  if (difference.empty() && first.Points < second.Points)
+  return this->HavePoints(first, second) && first.Cells == second.Cells &&
+    first.HasCoordinates() == (first.Points > 0);
+}
+
+//------------------------------------------------------------------------------
+Differences Comparison::MatchArrays(GridView& first, GridView& second, bool withRoles) const
+{
+  const std::string& a = this->First.Name;
+  const std::string& b = this->Second.Name;
+  Differences differences;
+  if (!this->HavePoints(first, second))
+  {
+    differences.push_back(
+      fmt::format("{} has {} points, {} has {}", a, first.Points, b, second.Points));
+  }
+  if (first.Cells != second.Cells)
+  {
+    differences.push_back(
+      fmt::format("{} has {} cells, {} has {}", a, first.Cells, b, second.Cells));
+  }
+  this->Match(first.PointArrays, second.PointArrays, withRoles, differences);
+  this->Match(first.CellArrays, second.CellArrays, withRoles, differences);
+  return differences;
+}
+
+//------------------------------------------------------------------------------
+Differences Comparison::CompareValues(const GridView& first, const GridView& second)
+{
+  Differences differences;
+  if (first.Points < second.Points)
   {
     this->JoinedPoints = second.Points - first.Points;
     this->Kept &= static_cast<std::uint8_t>(~(gatun::KeepPoints | gatun::KeepCorners));
   }
-  if (difference.empty())
+  const auto compare = [&](const std::vector<ArrayView>& a, const std::vector<ArrayView>& b)
   {
-    difference = this->CompareArrays(
-      first.PointArrays, second.PointArrays, (this->Kept & gatun::KeepPoints) != 0);
-  }
-  if (difference.empty())
+    for (std::size_t i = 0; i < a.size(); ++i)
+    {
+      if (const std::string difference = this->CompareTuples(a[i], b[i]); !difference.empty())
+      {
+        differences.push_back(difference);
+      }
+    }
+  };
+  if (this->Kept & gatun::KeepPoints)
   {
-    difference = this->CompareArrays(
-      first.CellArrays, second.CellArrays, (this->Kept & gatun::KeepCells) != 0);
+    compare(first.PointArrays, second.PointArrays);
   }
-  if (this->Kept == gatun::KeepAll && difference.empty())
+  if (this->Kept & gatun::KeepCells)
+  {
+    compare(first.CellArrays, second.CellArrays);
+  }
+  std::string difference;
+  if (this->Kept == gatun::KeepAll)
   {
     difference = this->CompareInOrder(first, second);
   }
-  if (this->Kept != gatun::KeepAll)
+  else if (differences.empty())
   {
-    difference = difference.empty() ? this->ComparePoints(first, second) : difference;
+    difference = this->ComparePoints(first, second);
     difference = difference.empty() ? this->CompareCells(first, second) : difference;
   }
-  return difference.empty() ? this->CompareFieldData(first.Grid, second.Grid) : difference;
+  if (!difference.empty())
+  {
+    differences.push_back(difference);
+  }
+  return differences;
 }
 
 //------------------------------------------------------------------------------
@@ -323,88 +358,146 @@ std::string Comparison::CompareTuples(const ArrayView& first, const ArrayView& s
 }
 
 //------------------------------------------------------------------------------
-std::string Comparison::CompareArrays(
-  const std::vector<ArrayView>& first, const std::vector<ArrayView>& second, bool withValues) const
+// Finds the arrays that both have.
+void Comparison::Match(std::vector<ArrayView>& first, std::vector<ArrayView>& second,
+  bool withRoles, Differences& differences) const
 {
-  const std::string& nameOfA = this->First.Name;
-  const std::string& nameOfB = this->Second.Name;
-  for (std::size_t i = 0; i < std::max(first.size(), second.size()); ++i)
+  std::vector<ArrayView> ofFirst;
+  std::vector<ArrayView> ofSecond;
+  for (ArrayView& view : first)
   {
-    if (i >= first.size() || i >= second.size())
+    const auto found = std::find_if(second.begin(), second.end(),
+      [&](const ArrayView& other) { return other.Title == view.Title; });
+    if (found == second.end())
     {
-      return i >= first.size() ? fmt::format("{} is in {} only", second[i].Title, nameOfB)
-                               : fmt::format("{} is in {} only", first[i].Title, nameOfA);
+      differences.push_back(fmt::format("{} is in {} only", view.Title, this->First.Name));
+      continue;
     }
-    const ArrayView& a = first[i];
-    const ArrayView& b = second[i];
-    if (a.Title != b.Title)
+    const bool areAlike = view.Kind == found->Kind;
+    if (!areAlike || (withRoles && view.Roles != found->Roles))
     {
-      return fmt::format("{} in {} is {} in {}", a.Title, nameOfA, b.Title, nameOfB);
+      differences.push_back(fmt::format("{} is {}{} in {}, {}{} in {}", view.Title, view.Kind,
+        view.Roles, this->First.Name, found->Kind, found->Roles, this->Second.Name));
     }
-    if (a.Kind != b.Kind)
+    this->CompareKeys(view.Title, view.Keys, found->Keys, differences);
+    if (areAlike)
     {
-      return fmt::format("{} is {} in {}, {} in {}", a.Title, a.Kind, nameOfA, b.Kind, nameOfB);
+      ofFirst.push_back(std::move(view));
+      ofSecond.push_back(std::move(*found));
     }
-    std::string difference = withValues ? this->CompareTuples(a, b) : "";
-    if (!difference.empty())
-    {
-      return difference;
-    }
+    second.erase(found);
   }
-  return {};
+  for (const ArrayView& view : second)
+  {
+    differences.push_back(fmt::format("{} is in {} only", view.Title, this->Second.Name));
+  }
+  first = std::move(ofFirst);
+  second = std::move(ofSecond);
 }
 
 //------------------------------------------------------------------------------
-std::string Comparison::CompareFieldData(
-  vtkUnstructuredGrid* first, vtkUnstructuredGrid* second) const
+void Comparison::CompareKeys(const std::string& title, const std::vector<std::string>& first,
+  const std::vector<std::string>& second, Differences& differences) const
 {
-  const auto title = [](vtkAbstractArray* array)
+  const auto list = [&](const std::vector<std::string>& some,
+                      const std::vector<std::string>& others, const std::string& name)
   {
-    return fmt::format(
-      "field array '{}'", MakePrintableLine(array->GetName() ? array->GetName() : ""));
-  };
-  const std::string& nameOfA = this->First.Name;
-  const std::string& nameOfB = this->Second.Name;
-  const int count = first->GetFieldData()->GetNumberOfArrays();
-  const int other = second->GetFieldData()->GetNumberOfArrays();
-  for (int i = 0; i < std::max(count, other); ++i)
-  {
-    vtkAbstractArray* const a = first->GetFieldData()->GetAbstractArray(i);
-    vtkAbstractArray* const b = second->GetFieldData()->GetAbstractArray(i);
-    if (i >= count || i >= other)
+    for (const std::string& key : some)
     {
-      return i >= count ? fmt::format("{} is in {} only", title(b), nameOfB)
-                        : fmt::format("{} is in {} only", title(a), nameOfA);
-    }
-    const auto kind = [&title](vtkAbstractArray* array)
-    {
-      return fmt::format("{}, {} tuples of {}", title(array), array->GetNumberOfTuples(),
-        array->GetDataTypeAsString());
-    };
-    if (kind(a) != kind(b))
-    {
-      return fmt::format("{} in {} is {} in {}", kind(a), nameOfA, kind(b), nameOfB);
-    }
-    auto* const strings = vtkStringArray::SafeDownCast(a);
-    for (vtkIdType j = 0; strings && j < a->GetNumberOfValues(); ++j)
-    {
-      const std::string& ofA = strings->GetValue(j);
-      const std::string& ofB = vtkStringArray::SafeDownCast(b)->GetValue(j);
-      if (ofA != ofB)
+      if (std::find(others.begin(), others.end(), key) == others.end())
       {
-        return fmt::format("{}: string {} is \"{}\" in {}, \"{}\" in {}", title(a), j,
-          MakePrintableLine(ofA), nameOfA, MakePrintableLine(ofB), nameOfB);
+        differences.push_back(fmt::format("{}: the key {} is in {} only", title, key, name));
       }
     }
-    std::string difference = strings
-      ? ""
-      : this->CompareArrays({ ArrayView(a, "field array") }, { ArrayView(b, "field array") }, true);
+  };
+  list(first, second, this->First.Name);
+  list(second, first, this->Second.Name);
+}
+
+//------------------------------------------------------------------------------
+Differences Comparison::CompareFieldData(const GridView& first, const GridView& second) const
+{
+  const auto list = [](const GridView& grid)
+  {
+    std::vector<vtkAbstractArray*> arrays;
+    for (int i = 0; i < grid.Grid->GetFieldData()->GetNumberOfArrays(); ++i)
+    {
+      arrays.push_back(grid.Grid->GetFieldData()->GetAbstractArray(i));
+    }
+    return arrays;
+  };
+  Differences differences;
+  std::vector<vtkAbstractArray*> others = list(second);
+  for (vtkAbstractArray* array : list(first))
+  {
+    const auto found = std::find_if(others.begin(), others.end(),
+      [&](vtkAbstractArray* other) { return TitleOfField(other) == TitleOfField(array); });
+    if (found == others.end())
+    {
+      differences.push_back(fmt::format("{} is in {} only", TitleOfField(array), this->First.Name));
+      continue;
+    }
+    this->CompareFieldArrays(array, *found, differences);
+    others.erase(found);
+  }
+  for (vtkAbstractArray* array : others)
+  {
+    differences.push_back(fmt::format("{} is in {} only", TitleOfField(array), this->Second.Name));
+  }
+  return differences;
+}
+
+//------------------------------------------------------------------------------
+void Comparison::CompareFieldArrays(
+  vtkAbstractArray* first, vtkAbstractArray* second, Differences& differences) const
+{
+  const std::string title = TitleOfField(first);
+  const std::string& nameOfA = this->First.Name;
+  const std::string& nameOfB = this->Second.Name;
+  const auto kind = [](vtkAbstractArray* array)
+  {
+    return fmt::format("{} tuples of {}, {} component(s)", array->GetNumberOfTuples(),
+      array->GetDataTypeAsString(), array->GetNumberOfComponents());
+  };
+  this->CompareKeys(title, KeyTexts(first), KeyTexts(second), differences);
+  if (kind(first) != kind(second))
+  {
+    differences.push_back(
+      fmt::format("{} is {} in {}, {} in {}", title, kind(first), nameOfA, kind(second), nameOfB));
+    return;
+  }
+  auto* const texts = vtkStringArray::SafeDownCast(first);
+  if (!texts && !vtkDataArray::SafeDownCast(first))
+  {
+    differences.push_back(
+      fmt::format("{} is a {}, whose values are not compared", title, first->GetClassName()));
+    return;
+  }
+  if (!texts)
+  {
+    const ArrayView a(first, "field array");
+    const ArrayView b(second, "field array");
+    const std::string difference = a.Roles == b.Roles
+      ? this->CompareTuples(a, b)
+      : fmt::format(
+          "{} has components{} in {},{} in {}", title, a.Roles, nameOfA, b.Roles, nameOfB);
     if (!difference.empty())
     {
-      return difference;
+      differences.push_back(difference);
+    }
+    return;
+  }
+  for (vtkIdType j = 0; j < first->GetNumberOfValues(); ++j)
+  {
+    const std::string& ofA = texts->GetValue(j);
+    const std::string& ofB = vtkStringArray::SafeDownCast(second)->GetValue(j);
+    if (ofA != ofB)
+    {
+      differences.push_back(fmt::format("{}: string {} is \"{}\" in {}, \"{}\" in {}", title, j,
+        MakePrintableLine(ofA), nameOfA, MakePrintableLine(ofB), nameOfB));
+      return;
     }
   }
-  return {};
 }
 
 //------------------------------------------------------------------------------

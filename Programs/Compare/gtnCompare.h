@@ -12,6 +12,9 @@
 
 namespace gtn
 {
+/** What differs, one line for each difference. */
+using Differences = std::vector<std::string>;
+
 /**
  * Compares two grids of tetrahedra bit for bit, time step after time step.
  *
@@ -40,12 +43,18 @@ public:
   /** Returns by how many points the second grid of the last step has more. */
   std::size_t GetJoinedPoints() const { return this->JoinedPoints; }
 
-  /** Compares the numbers of points and cells and the kinds of arrays in their order. Returns a
-   * description of the first difference, or an empty string. */
-  std::string CompareOutlines(const GridView& first, const GridView& second) const;
+  /** Compares the numbers of points and cells and the kinds of arrays. Leaves only those arrays
+   * that both have, in the same order. withRoles: whether to compare names of components, roles
+   * and the name of the points, too. */
+  Differences MatchArrays(GridView& first, GridView& second, bool withRoles) const;
 
-  /** Compares a step, its outline first. Returns the same. */
-  std::string Compare(const GridView& first, const GridView& second);
+  /** Whether values can be compared after that. */
+  bool AreAlike(const GridView& first, const GridView& second) const;
+
+  /** Compares the values of a step whose numbers of points and cells and arrays are the same. */
+  Differences CompareValues(const GridView& first, const GridView& second);
+
+  Differences CompareFieldData(const GridView& first, const GridView& second) const;
 
   /** Returns the number of points that coincide with another one in all values so far. */
   std::size_t GetIndistinguishablePoints() const;
@@ -71,9 +80,13 @@ private:
 
   std::string CompareInOrder(const GridView& first, const GridView& second) const;
   std::string CompareTuples(const ArrayView& first, const ArrayView& second) const;
-  std::string CompareArrays(const std::vector<ArrayView>& first,
-    const std::vector<ArrayView>& second, bool withValues) const;
-  std::string CompareFieldData(vtkUnstructuredGrid* first, vtkUnstructuredGrid* second) const;
+  bool HavePoints(const GridView& first, const GridView& second) const;
+  void Match(std::vector<ArrayView>& first, std::vector<ArrayView>& second, bool withRoles,
+    Differences& differences) const;
+  void CompareKeys(const std::string& title, const std::vector<std::string>& first,
+    const std::vector<std::string>& second, Differences& differences) const;
+  void CompareFieldArrays(
+    vtkAbstractArray* first, vtkAbstractArray* second, Differences& differences) const;
   std::string ComparePoints(const GridView& first, const GridView& second);
   std::string CompareCells(const GridView& first, const GridView& second);
 

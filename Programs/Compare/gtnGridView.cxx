@@ -6,6 +6,7 @@
 #include "gtnFailure.h"
 #include "gtnText.h"
 
+#include "gatunArrayKeys.h"
 #include "gatunCellArrays.h"
 
 #include "vtkCellData.h"
@@ -21,6 +22,7 @@
 
 #include <fmt/core.h>
 
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -28,6 +30,8 @@ namespace gtn
 {
 namespace
 {
+
+constexpr const char* CoordinatesTitle = "the coordinates";
 
 template <typename Float, typename Bits>
 std::string TextOfFloat(const unsigned char* bytes)
@@ -56,13 +60,38 @@ void AddViews(std::vector<ArrayView>& views, vtkDataSetAttributes* attributes,
     {
       if (attributes->GetAbstractAttribute(role) == array)
       {
-        view.Kind += std::string(", active ") + attributes->GetAttributeTypeAsString(role);
+        view.Roles += std::string(", active ") + attributes->GetAttributeTypeAsString(role);
       }
     }
   }
 }
 
 } // anonymous namespace
+
+//------------------------------------------------------------------------------
+std::vector<std::string> KeyTexts(vtkAbstractArray* array)
+{
+  const gatun::FoundKeys found = gatun::FindKeys(array);
+  std::vector<std::string> texts;
+  for (const std::string& key : found.Refused)
+  {
+    texts.push_back(MakePrintableLine(key));
+  }
+  for (const gatun::ArrayKey& key : found.Keys)
+  {
+    const bool isReal = key.Kind == gatun::KeyKind::Double || key.Kind == gatun::KeyKind::Doubles ||
+      key.Kind == gatun::KeyKind::Quadrature;
+    std::vector<std::string> values = key.Texts;
+    for (const std::uint64_t bits : key.Numbers)
+    {
+      values.push_back(isReal ? fmt::format("{}", std::bit_cast<double>(bits))
+                              : std::to_string(static_cast<std::int64_t>(bits)));
+    }
+    texts.push_back(
+      MakePrintableLine(fmt::format("{}::{} = {}", key.Location, key.Name, Join(values))));
+  }
+  return texts;
+}
 
 //------------------------------------------------------------------------------
 ArrayView::ArrayView(vtkAbstractArray* array, const std::string& kind)
@@ -81,7 +110,8 @@ ArrayView::ArrayView(vtkAbstractArray* array, const std::string& kind)
   }
   this->Kind = fmt::format(
     "{}, {} component(s)", array->GetDataTypeAsString(), array->GetNumberOfComponents());
-  this->Kind += names.empty() ? "" : fmt::format(" ({})", MakePrintableLine(Join(names)));
+  this->Roles = names.empty() ? "" : fmt::format(" ({})", MakePrintableLine(Join(names)));
+  this->Keys = KeyTexts(array);
   if (array->GetDataType() == VTK_BIT)
   {
     auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
@@ -120,7 +150,11 @@ GridView::GridView(vtkUnstructuredGrid* grid)
 {
   if (this->Points > 0)
   {
-    this->PointArrays.emplace_back(grid->GetPoints()->GetData(), "").Title = "the coordinates";
+    vtkDataArray* const points = grid->GetPoints()->GetData();
+    ArrayView& view = this->PointArrays.emplace_back(points, "");
+    view.Title = CoordinatesTitle;
+    view.Roles = fmt::format(
+      " '{}'{}", MakePrintableLine(points->GetName() ? points->GetName() : ""), view.Roles);
   }
   AddViews(this->PointArrays, grid->GetPointData(), "point array", this->Points);
   AddViews(this->CellArrays, grid->GetCellData(), "cell array", this->Cells);
@@ -137,6 +171,12 @@ GridView::GridView(vtkUnstructuredGrid* grid)
       this->Starts.assign(offsets, offsets + this->Cells + 1);
       this->Ids.assign(ids, ids + size);
     });
+}
+
+//------------------------------------------------------------------------------
+bool GridView::HasCoordinates() const
+{
+  return !this->PointArrays.empty() && this->PointArrays.front().Title == CoordinatesTitle;
 }
 
 //------------------------------------------------------------------------------

@@ -27,8 +27,10 @@ struct ArrayView
   /** Throws Failure for arrays that are not numeric. */
   ArrayView(vtkAbstractArray* array, const std::string& kind);
 
-  std::string Title; ///< "point array 'pressure'"
-  std::string Kind;  ///< "float, 3 components (x, y, z), active Scalars"
+  std::string Title;             ///< "point array 'pressure'"
+  std::string Kind;              ///< "float, 3 component(s)"
+  std::string Roles;             ///< " (x, y, z), active Scalars"
+  std::vector<std::string> Keys; ///< "vtkDataArray::UNITS_LABEL = m"
   const unsigned char* Bytes = nullptr;
   std::size_t TupleBytes = 0;
   vtkSmartPointer<vtkDataArray> Owner;
@@ -38,6 +40,9 @@ struct ArrayView
   /** The values of a tuple. NaN is printed with its bits. */
   std::string Text(std::size_t i) const;
 };
+
+/** The information keys of an array, with their values. */
+std::vector<std::string> KeyTexts(vtkAbstractArray* array);
 
 /** Views of the arrays of a grid, which must live as long. */
 struct GridView
@@ -50,6 +55,9 @@ struct GridView
   std::vector<ArrayView> PointArrays; ///< the coordinates come first
   std::vector<ArrayView> CellArrays;
   std::size_t Cells;
+
+  /** Whether the coordinates are among the arrays. */
+  bool HasCoordinates() const;
 
   int GetType(std::size_t cell) const { return this->Types[cell]; }
 

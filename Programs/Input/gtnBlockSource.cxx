@@ -14,6 +14,7 @@
 
 #include "gatunCellInput.h"
 #include "gatunError.h"
+#include "gatunGhosts.h"
 #include "gatunNewArray.h"
 #include "vtkGatunMergeBlocks.h"
 
@@ -84,12 +85,18 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
   CheckMessages(file, quiet);
   try
   {
-    return gatun::MakeCellInput(merge->GetOutput(), false).Grid;
+    return gatun::MakeCellInput(merge->GetOutput(), false, gatun::GhostCells::Remove).Grid;
   }
   catch (const gatun::Error& error)
   {
     throw Failure(file, error.what());
   }
+}
+
+std::size_t GhostsOf(vtkDataObject* data)
+{
+  auto* const set = vtkDataSet::SafeDownCast(data);
+  return set ? gatun::CountGhosts(set->GetCellData()) : 0;
 }
 
 bool HasUnusedPoints(vtkUnstructuredGrid* grid)
@@ -313,6 +320,7 @@ struct BlockSource::Block
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
   std::string Name;
+  std::size_t Ghosts = 0; // that were left out
 };
 
 //------------------------------------------------------------------------------
@@ -322,7 +330,8 @@ BlockSource::Block BlockSource::ReadBlock(std::size_t step, std::size_t number)
   const bool quiet = this->Options.Quiet;
   if (!this->IsOneFile)
   {
-    return { MakeGrid(ReadPart(file, {}, this->Options), file, quiet), {} };
+    const vtkSmartPointer<vtkDataObject> data = ReadPart(file, {}, this->Options);
+    return { MakeGrid(data, file, quiet), {}, GhostsOf(data) };
   }
   const auto reader = MakeExodusReader(file, this->Options.Sets, number);
   if (this->Times.empty())
@@ -361,9 +370,11 @@ BlockSource::Block BlockSource::ReadBlock(std::size_t step, std::size_t number)
 void BlockSource::SurveyStep(std::size_t step)
 {
   Survey& survey = this->GetSurvey(step);
+  std::size_t ghosts = 0;
   for (std::size_t i = 0; i < survey.Blocks.Files.size(); ++i)
   {
     const Block block = this->ReadBlock(step, i);
+    ghosts += block.Ghosts;
     survey.HasGlobalIds = survey.HasGlobalIds &&
       (block.Grid->GetNumberOfPoints() == 0 || block.Grid->GetPointData()->GetGlobalIds());
     SetData(survey.Blocks, survey.Blocks.Tree, i, MakeForm(block.Grid, i));
@@ -375,6 +386,18 @@ void BlockSource::SurveyStep(std::size_t step)
     }
   }
   survey.IsDone = true;
+  if (ghosts > 0 && !this->AreGhostsTold)
+  {
+    this->AreGhostsTold = true;
+    if (!this->Options.Lost)
+    {
+      vtkWarningMacro(<< gatun::DescribeLostGhosts(ghosts));
+    }
+    else if (this->Options.Ghosts)
+    {
+      this->Options.Lost->insert(gatun::DescribeLostGhosts(ghosts));
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -442,7 +465,8 @@ void BlockSource::Read(
     options.Arrays.emplace_back(JoinArrayName);
     MarkForms(merged, forms, survey.HasGlobalIds);
   }
-  Preparer::Prepare(merged, options, output);
+  Preparer::Prepare(
+    gatun::MakeCellInput(merged, false, gatun::GhostCells::Remove).Grid, options, output);
   CheckMessages(this->IsOneFile ? survey.Blocks.Files.front() : this->Steps[step].Files.front(),
     this->Options.Quiet);
 }

@@ -67,6 +67,7 @@ private:
   std::vector<Survey> Surveys;
   std::vector<double> Times;
   InputOptions Options;
+  bool AreGhostsTold = false;
   bool IsOneFile = false; // an Exodus file, with all steps and the same blocks in all of them
 };
 }

@@ -6,14 +6,27 @@
 
 #include "gtnFormats.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCharArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkExodusIIReader.h"
 #include "vtkFieldData.h"
 #include "vtkHDFReader.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVariant.h"
 
 #if GTN_HAS_CGNS
 #include "vtkCGNSReader.h"
@@ -21,33 +34,154 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace
 {
 
-/** Clears what VTK leaves unset behind the ends of strings. */
+/** Whether the numbers of elements and nodes of a file are other than 1, 2, 3 and so on. */
+struct NumberMaps
+{
+  bool OfElements = false;
+  bool OfNodes = false;
+};
+
+bool AreCounted(vtkDataArray* ids, vtkIdType& last)
+{
+  bool areCounted = true;
+  for (vtkIdType i = 0; ids && i < ids->GetNumberOfValues(); ++i)
+  {
+    areCounted = areCounted && ids->GetVariantValue(i).ToTypeInt64() == ++last;
+  }
+  return areCounted;
+}
+
+/** Calls a function with each block of an output. */
+template <typename Visit>
+void ForEachBlock(vtkCompositeDataSet* blocks, const Visit& visit)
+{
+  auto iterator = vtk::TakeSmartPointer(blocks->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    if (auto* const block = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
+    {
+      visit(block);
+    }
+  }
+}
+
+constexpr const char* ElementIds = "GlobalElementId";
+constexpr const char* NodeIds = "GlobalNodeId";
+
+/** A reader of one block, without arrays. */
+void ReadBlock(vtkExodusIIReader* reader, int number)
+{
+  for (int i = 0; i < reader->GetNumberOfObjects(vtkExodusIIReader::ELEM_BLOCK); ++i)
+  {
+    reader->SetObjectStatus(vtkExodusIIReader::ELEM_BLOCK, i, i == number ? 1 : 0);
+  }
+  reader->Update();
+}
+
+/** The points of all cells of an output, one after the other. */
+vtkDataArray* GetCorners(vtkExodusIIReader* reader, vtkDataSet*& grid)
+{
+  vtkCellArray* cells = nullptr;
+  ForEachBlock(reader->GetOutput(),
+    [&](vtkDataSet* block)
+    {
+      auto* const found = vtkUnstructuredGrid::SafeDownCast(block);
+      grid = block;
+      cells = found ? found->GetCells() : nullptr;
+    });
+  return cells ? cells->GetConnectivityArray() : nullptr;
+}
+
+/** Reads the mesh block by block: with the numbers of elements and nodes, and with the places of
+ * nodes in the file. VTK 9.1 fails if it is asked for both at once. */
+NumberMaps FindMaps(const std::string& file)
+{
+  NumberMaps maps;
+  vtkNew<vtkExodusIIReader> numbered;
+  numbered->GenerateGlobalElementIdArrayOn();
+  numbered->GenerateGlobalNodeIdArrayOn();
+  vtkNew<vtkExodusIIReader> plain;
+  plain->SetSqueezePoints(false);
+  for (vtkExodusIIReader* reader : { numbered.Get(), plain.Get() })
+  {
+    reader->SetFileName(file.c_str());
+    reader->UpdateInformation();
+  }
+  vtkIdType last = 0;
+  for (int i = 0; i < numbered->GetNumberOfObjects(vtkExodusIIReader::ELEM_BLOCK); ++i)
+  {
+    ReadBlock(numbered, i);
+    ReadBlock(plain, i);
+    vtkDataSet* grid = nullptr;
+    vtkDataSet* other = nullptr;
+    vtkDataArray* const points = GetCorners(numbered, grid);
+    vtkDataArray* const places = GetCorners(plain, other);
+    if (!points || !places || points->GetNumberOfValues() != places->GetNumberOfValues())
+    {
+      continue; // an empty block
+    }
+    maps.OfElements =
+      !AreCounted(grid->GetCellData()->GetArray(ElementIds), last) || maps.OfElements;
+    auto* const ids = vtkIdTypeArray::SafeDownCast(grid->GetPointData()->GetArray(NodeIds));
+    for (vtkIdType k = 0; ids && k < points->GetNumberOfValues() && !maps.OfNodes; ++k)
+    {
+      const vtkIdType id = ids->GetValue(static_cast<vtkIdType>(points->GetComponent(k, 0)));
+      maps.OfNodes = id != static_cast<vtkIdType>(places->GetComponent(k, 0)) + 1;
+    }
+  }
+  return maps;
+}
+
+/** The same, but once for each file. */
+const NumberMaps& GetMaps(const std::string& file)
+{
+  static std::map<std::string, NumberMaps> known;
+  const auto found = known.find(file);
+  return found != known.end() ? found->second : known.emplace(file, FindMaps(file)).first->second;
+}
+
+/** Keeps the numbers of elements and nodes as arrays, if they tell something, and of the global
+ * variables the values of the time step. VTK's reader has these at all steps. Clears what it leaves
+ * unset behind the ends of strings. */
 class ExodusReader : public vtkExodusIIReader
 {
 public:
   static ExodusReader* New();
   vtkTypeMacro(ExodusReader, vtkExodusIIReader);
 
-protected:
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
+  void SetMaps(const NumberMaps& maps)
   {
-    const int result = this->Superclass::RequestData(request, inputs, outputs);
-    auto* const output = vtkCompositeDataSet::GetData(outputs);
-    if (output)
+    this->Maps = maps;
+    this->SetGenerateGlobalElementIdArray(maps.OfElements);
+    this->SetGenerateGlobalNodeIdArray(maps.OfNodes);
+  }
+
+protected:
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override
+  {
+    const int result = this->Superclass::RequestData(request, inputVector, outputVector);
+    auto* const blocks = vtkCompositeDataSet::GetData(outputVector);
+    vtkInformation* const info = outputVector->GetInformationObject(0);
+    if (result != 0 && blocks)
     {
-      ClearTexts(output->GetFieldData());
-      const auto iterator = vtk::TakeSmartPointer(output->NewIterator());
-      for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-      {
-        ClearTexts(iterator->GetCurrentDataObject()->GetFieldData());
-      }
+      ClearTexts(blocks->GetFieldData());
+      ForEachBlock(blocks,
+        [&](vtkDataSet* block)
+        {
+          KeepNumbers(block->GetCellData(), "PedigreeElementId");
+          KeepNumbers(block->GetPointData(), "PedigreeNodeId");
+          ClearTexts(block->GetFieldData());
+          this->KeepStep(block->GetFieldData(), info);
+        });
     }
     return result;
   }
@@ -66,14 +200,54 @@ private:
       }
     }
   }
+
+  // Global ids would join the points of blocks. They stay as arrays with their names.
+  static void KeepNumbers(vtkDataSetAttributes* attributes, const char* copy)
+  {
+    attributes->RemoveArray(copy);
+    attributes->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+    attributes->SetActiveAttribute(-1, vtkDataSetAttributes::PEDIGREEIDS);
+  }
+
+  void KeepStep(vtkFieldData* field, vtkInformation* info)
+  {
+    using Pipeline = vtkStreamingDemandDrivenPipeline;
+    const int steps = info->Has(Pipeline::TIME_STEPS()) ? info->Length(Pipeline::TIME_STEPS()) : 0;
+    const double* const times = steps > 0 ? info->Get(Pipeline::TIME_STEPS()) : nullptr;
+    vtkIdType step = 0;
+    if (steps > 0 && info->Has(Pipeline::UPDATE_TIME_STEP()))
+    {
+      step =
+        std::upper_bound(times, times + steps, info->Get(Pipeline::UPDATE_TIME_STEP())) - times;
+      step = std::max<vtkIdType>(step - 1, 0);
+    }
+    for (int i = 0; i < this->GetNumberOfObjectArrays(GLOBAL); ++i)
+    {
+      const char* const name = this->GetObjectArrayName(GLOBAL, i);
+      vtkDataArray* const all = field->GetArray(name);
+      if (all && all->GetNumberOfTuples() == steps && steps > 0)
+      {
+        auto one = vtk::TakeSmartPointer(all->NewInstance());
+        one->SetName(name);
+        one->SetNumberOfComponents(all->GetNumberOfComponents());
+        one->InsertNextTuple(step, all);
+        field->AddArray(one); // in its place
+      }
+    }
+  }
+
+  NumberMaps Maps;
 };
+
 vtkStandardNewMacro(ExodusReader);
 
 vtkSmartPointer<vtkAlgorithm> MakeExodus(const std::string& file, bool sets)
 {
   vtkNew<ExodusReader> reader;
   reader->SetFileName(file.c_str());
+  reader->SetMaps(GetMaps(file));
   reader->UpdateInformation();
+  reader->SetAllArrayStatus(vtkExodusIIReader::GLOBAL, 1);
   // The mesh is what the element blocks hold; side sets and node sets repeat parts of it.
   for (const auto kind : { vtkExodusIIReader::SIDE_SET, vtkExodusIIReader::NODE_SET })
   {
@@ -86,6 +260,18 @@ vtkSmartPointer<vtkAlgorithm> MakeExodus(const std::string& file, bool sets)
   reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
   reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
   return reader;
+}
+
+void ListExodusSets(vtkAlgorithm* reader, std::vector<std::string>& names)
+{
+  auto* const exodus = vtkExodusIIReader::SafeDownCast(reader);
+  for (const auto kind : { vtkExodusIIReader::SIDE_SET, vtkExodusIIReader::NODE_SET })
+  {
+    for (int i = 0; i < exodus->GetNumberOfObjects(kind); ++i)
+    {
+      names.emplace_back(exodus->GetObjectName(kind, i));
+    }
+  }
 }
 
 // The blocks and sets that are read, by type and index, in the order of the output.
@@ -177,5 +363,5 @@ vtkSmartPointer<vtkAlgorithm> MakeHDF(const std::string& file)
 } // anonymous namespace
 
 extern "C" const gtn::FormatReaders gtnFormatReaders;
-const gtn::FormatReaders gtnFormatReaders{ MakeExodus, CountExodusBlocks, EstimateExodusBlock,
-  SelectExodusBlock, MakeCGNS, MakeHDF };
+const gtn::FormatReaders gtnFormatReaders{ MakeExodus, ListExodusSets, CountExodusBlocks,
+  EstimateExodusBlock, SelectExodusBlock, MakeCGNS, MakeHDF };

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 class vtkAlgorithm;
 
@@ -19,6 +20,9 @@ struct FormatReaders
 {
   /** sets: whether to read side sets and node sets, too. */
   vtkSmartPointer<vtkAlgorithm> (*MakeExodus)(const std::string& file, bool sets);
+
+  /** Appends the names of the side sets and node sets that a reader of Exodus files knows. */
+  void (*ListExodusSets)(vtkAlgorithm* reader, std::vector<std::string>& names);
 
   /** The number of blocks and sets that a reader of Exodus files reads. */
   int (*CountExodusBlocks)(vtkAlgorithm* reader);

@@ -35,6 +35,8 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -232,6 +234,35 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
     this->Algorithm = preparer;
   }
   this->FindTimes();
+  if (options.NamesSets && !options.Sets && files.size() == 1)
+  {
+    this->NameSets();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Tells which sets are left out.
+void Input::NameSets() const
+{
+  std::vector<std::string> sets = ListSets(this->Name);
+  if (sets.empty())
+  {
+    return;
+  }
+  constexpr std::size_t enough = 16;
+  const std::size_t more = sets.size() - std::min(sets.size(), enough);
+  sets.resize(sets.size() - more);
+  const std::string lost = fmt::format("the sets or patches '{}'{} are left out; --sets keeps them",
+    MakePrintableLine(fmt::format("{}", fmt::join(sets, "', '"))),
+    more > 0 ? fmt::format(" and {} more", more) : "");
+  if (this->Options.Lost)
+  {
+    this->Options.Lost->insert(lost);
+  }
+  else if (!this->Options.Quiet)
+  {
+    Say(this->Name + ": " + lost);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -298,7 +329,7 @@ void Input::Spool(SpoolSettings settings, Progress& progress)
   const auto open = [this](const std::string& file) -> std::unique_ptr<RangedMesh>
   {
     return std::make_unique<XMLMesh>(
-      file, this->Options.AllArrays ? nullptr : &this->Options.Arrays);
+      file, this->Options.AllArrays ? nullptr : &this->Options.Arrays, this->Options.Skip);
   };
   std::shared_ptr<RangedMesh> mesh;
   if (this->Steps.empty() || !this->HasTime)

@@ -90,6 +90,7 @@ public:
 
 private:
   void FindTimes();
+  void NameSets() const;
 
   std::string Name;
   InputOptions Options;

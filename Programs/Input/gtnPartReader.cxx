@@ -11,6 +11,7 @@
 #include "gtnSpooledMesh.h"
 #include "gtnText.h"
 
+#include "gatunArrayBridge.h"
 #include "gatunSurfaceGrid.h"
 #include "vtkGatunWriter.h"
 
@@ -199,6 +200,10 @@ vtkSmartPointer<vtkUnstructuredGrid> AppendGrids(const Grids& parts)
   append->Update();
   vtkNew<vtkUnstructuredGrid> whole;
   whole->CopyStructure(append->GetOutput());
+  if (parts.front()->GetPoints() && whole->GetPoints())
+  {
+    gatun::CopyNames(parts.front()->GetPoints()->GetData(), whole->GetPoints()->GetData());
+  }
   whole->GetPointData()->ShallowCopy(arrays->GetPointData());
   whole->GetAttributes(vtkDataObject::CELL)
     ->ShallowCopy(arrays->GetAttributes(vtkDataObject::CELL));

@@ -7,7 +7,9 @@
 #include "gtnReaders.h"
 #include "gtnText.h"
 
+#include "gatunArrayBridge.h"
 #include "gatunCellInput.h"
+#include "gatunGhosts.h"
 #include "gatunSurfaceGrid.h"
 #include "gatunSurfaceTriangles.h"
 #include "gatunTetInput.h"
@@ -27,9 +29,11 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <fmt/core.h>
@@ -75,6 +79,7 @@ void MakePointsReal(vtkUnstructuredGrid* grid)
   vtkNew<vtkPoints> real;
   real->SetDataTypeToDouble();
   real->GetData()->DeepCopy(points->GetData());
+  real->GetData()->SetName(points->GetData()->GetName());
   grid->SetPoints(real);
 }
 
@@ -97,7 +102,24 @@ vtkSmartPointer<vtkUnstructuredGrid> ToUnstructured(vtkDataSet* data)
   append->AddInputData(data);
   append->SetOutputPointsPrecision(FindPrecision(data));
   append->Update();
+  auto* const points = vtkPointSet::SafeDownCast(data);
+  if (points && points->GetPoints() && append->GetOutput()->GetPoints())
+  {
+    gatun::CopyNames(points->GetPoints()->GetData(), append->GetOutput()->GetPoints()->GetData());
+  }
   return append->GetOutput();
+}
+
+std::size_t CountBlockGhosts(vtkCompositeDataSet* blocks)
+{
+  std::size_t count = 0;
+  auto iterator = vtk::TakeSmartPointer(blocks->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    auto* const grid = vtkUnstructuredGrid::SafeDownCast(iterator->GetCurrentDataObject());
+    count += grid ? gatun::CountGhosts(grid->GetCellData()) : 0;
+  }
+  return count;
 }
 
 bool IsWanted(const std::vector<std::string>& names, const char* name)
@@ -122,6 +144,46 @@ void Select(vtkUnstructuredGrid* grid, const std::vector<std::string>& names)
   }
 }
 
+std::string PrintableName(vtkAbstractArray* array)
+{
+  return MakePrintableLine(array->GetName() ? array->GetName() : "(no name)");
+}
+
+// Removes the arrays that are no numbers. Returns what they are.
+std::vector<std::string> RemoveTexts(vtkUnstructuredGrid* grid)
+{
+  std::vector<std::string> removed;
+  const auto remove = [&](vtkDataSetAttributes* attributes, const char* where)
+  {
+    for (int i = attributes->GetNumberOfArrays() - 1; i >= 0; --i)
+    {
+      vtkAbstractArray* const array = attributes->GetAbstractArray(i);
+      if (!vtkDataArray::SafeDownCast(array))
+      {
+        const std::string name = PrintableName(array);
+        removed.push_back(fmt::format(
+          "the {} array '{}' is left out, because it is a {}, without numbers; --skip '{}' leaves "
+          "it out without a message",
+          where, name, array->GetClassName(), name));
+        attributes->RemoveArray(i);
+      }
+    }
+  };
+  remove(grid->GetPointData(), "point");
+  remove(grid->GetCellData(), "cell");
+  return removed;
+}
+
+// Those in names go.
+void Remove(vtkUnstructuredGrid* grid, const std::vector<std::string>& names)
+{
+  for (const std::string& name : names)
+  {
+    grid->GetPointData()->RemoveArray(name.c_str());
+    grid->GetCellData()->RemoveArray(name.c_str());
+  }
+}
+
 std::vector<std::string> NamesOf(vtkUnstructuredGrid* grid)
 {
   std::vector<std::string> names;
@@ -130,8 +192,7 @@ std::vector<std::string> NamesOf(vtkUnstructuredGrid* grid)
   {
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
-      const char* name = data->GetAbstractArray(i)->GetName();
-      names.emplace_back(MakePrintableLine(name ? name : "(no name)"));
+      names.push_back(PrintableName(data->GetAbstractArray(i)));
     }
   }
   return names;
@@ -204,6 +265,35 @@ int Preparer::RequestDataObject(vtkInformation* vtkNotUsed(request),
 }
 
 //------------------------------------------------------------------------------
+int Preparer::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
+{
+  // VTK's readers of legacy files claim to have a step at time 0; these files have no time.
+  vtkAlgorithm* const source = this->GetInputAlgorithm(0, 0);
+  if (source && source->IsA("vtkDataReader"))
+  {
+    vtkInformation* const info = outputVector->GetInformationObject(0);
+    info->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+    info->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+// Tells what is left out though nobody asked for it.
+void Preparer::Lose(const std::string& what)
+{
+  if (this->Options.Lost)
+  {
+    this->Options.Lost->insert(what);
+  }
+  else
+  {
+    vtkWarningMacro(<< what);
+  }
+}
+
+//------------------------------------------------------------------------------
 // Converts the cells as the options say, with warnings.
 vtkSmartPointer<vtkUnstructuredGrid> Preparer::Convert(vtkUnstructuredGrid* grid, bool isSurface)
 {
@@ -219,11 +309,20 @@ vtkSmartPointer<vtkUnstructuredGrid> Preparer::Convert(vtkUnstructuredGrid* grid
   }
   else
   {
-    cells = gatun::MakeCellInput(grid, this->Options.Split);
+    cells = gatun::MakeCellInput(grid, this->Options.Split,
+      this->Options.Ghosts ? gatun::GhostCells::Keep : gatun::GhostCells::Remove);
   }
   for (const std::string& warning : cells.Warnings)
   {
     vtkWarningMacro(<< warning);
+  }
+  if (cells.GhostCells > 0 && this->Options.Ghosts)
+  {
+    this->Lose(gatun::DescribeLostGhosts(cells.GhostCells));
+  }
+  else if (cells.GhostCells > 0 && !this->Options.Lost)
+  {
+    vtkWarningMacro(<< gatun::DescribeLostGhosts(cells.GhostCells));
   }
   return cells.Grid;
 }
@@ -247,8 +346,13 @@ void Preparer::MakeOutput(vtkDataObject* input, vtkDataObject* output)
   }
   else if (auto* blocks = vtkCompositeDataSet::SafeDownCast(input))
   {
+    const std::size_t ghosts = CountBlockGhosts(blocks);
     grid = Merge(blocks);
     vtkWarningMacro(<< CountBlocks(blocks) << " blocks were merged into one grid");
+    if (ghosts > 0 && this->Options.Ghosts && !this->Options.VolumesOnly)
+    {
+      this->Lose(gatun::DescribeLostGhosts(ghosts));
+    }
   }
   else if (auto* data = vtkDataSet::SafeDownCast(input); data && !grid)
   {
@@ -260,6 +364,8 @@ void Preparer::MakeOutput(vtkDataObject* input, vtkDataObject* output)
   }
   grid = Copy(grid);
   MakePointsReal(grid);
+  CheckNames(grid, this->Options.Skip);
+  Remove(grid, this->Options.Skip);
   if (!this->Options.AllArrays)
   {
     CheckNames(grid, this->Options.Arrays);
@@ -267,6 +373,13 @@ void Preparer::MakeOutput(vtkDataObject* input, vtkDataObject* output)
     std::vector<std::string> names = this->Options.Arrays;
     names.emplace_back(vtkDataSetAttributes::GhostArrayName());
     Select(grid, names);
+  }
+  if (!this->Options.VolumesOnly)
+  {
+    for (const std::string& removed : RemoveTexts(grid))
+    {
+      this->Lose(removed);
+    }
   }
   grid = Copy(this->Convert(grid, surface != nullptr));
   if (!this->Options.AllArrays)
@@ -308,7 +421,7 @@ int Preparer::RequestData(vtkInformation* vtkNotUsed(request), vtkInformationVec
     vtkErrorMacro(<< ReasonOf(error));
     return 0;
   }
-  vtkInformation* info = input->GetInformation();
+  vtkInformation* const info = input->GetInformation();
   if (info->Has(vtkDataObject::DATA_TIME_STEP()))
   {
     output->GetInformation()->Set(

@@ -10,6 +10,8 @@
 #include "vtkDataObjectAlgorithm.h"
 #include "vtkSmartPointer.h"
 
+#include <string>
+
 class vtkUnstructuredGrid;
 
 namespace gtn
@@ -35,10 +37,13 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
 private:
+  void Lose(const std::string& what);
   void MakeOutput(vtkDataObject* input, vtkDataObject* output);
   vtkSmartPointer<vtkUnstructuredGrid> Convert(vtkUnstructuredGrid* grid, bool isSurface);
 

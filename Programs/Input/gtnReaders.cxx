@@ -39,9 +39,11 @@
 #include "vtkXMLPartitionedDataSetCollectionReader.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <initializer_list>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace gtn
@@ -137,6 +139,20 @@ void CheckIsCGNS(const std::string& file)
   }
 }
 
+void CheckIsReconstructed(const std::string& file)
+{
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::absolute(file).parent_path();
+  std::error_code error;
+  if (!fs::exists(folder / "constant" / "polyMesh", error) &&
+    fs::exists(folder / "processor0", error))
+  {
+    throw Failure(file,
+      "is a decomposed OpenFOAM case, whose mesh is in the folders processor0, ...; make it one "
+      "mesh with reconstructPar (or reconstructParMesh) first");
+  }
+}
+
 // VTK 9.6 never decomposes polyhedra.
 template <typename Reader>
 void KeepPolyhedra(Reader* reader)
@@ -150,6 +166,7 @@ void KeepPolyhedra(Reader* reader)
 // The file is empty; the case is in the folder around it.
 vtkSmartPointer<vtkAlgorithm> MakeOpenFOAM(const std::string& file, bool sets)
 {
+  CheckIsReconstructed(file);
   vtkNew<vtkOpenFOAMReader> reader;
   reader->SetFileName(file.c_str());
   KeepPolyhedra(reader.Get());
@@ -231,6 +248,31 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
     return MakeMeshioReader(file);
   }
   return MakeSurfaceReader(file);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> ListSets(const std::string& file)
+{
+  std::vector<std::string> names;
+  if (IsExodus(file))
+  {
+    CheckReadable(file);
+    GetFormatReaders().ListExodusSets(MakeReader(file, false), names);
+  }
+  else if (ExtensionOf(file) == ".foam")
+  {
+    CheckReadable(file);
+    const vtkSmartPointer<vtkAlgorithm> made = MakeOpenFOAM(file, false);
+    auto* const reader = vtkOpenFOAMReader::SafeDownCast(made);
+    for (int i = 0; i < reader->GetNumberOfPatchArrays(); ++i)
+    {
+      names.emplace_back(reader->GetPatchArrayName(i));
+    }
+    std::erase(names, "internalMesh");
+  }
+  TakeErrors(); // reading the file reports them again
+  TakeWarnings();
+  return names;
 }
 
 //------------------------------------------------------------------------------

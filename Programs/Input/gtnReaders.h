@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 class vtkAlgorithm;
 
@@ -24,6 +25,10 @@ namespace gtn
  * also reads the side sets and node sets of an Exodus file, the patches of an OpenFOAM case and the
  * boundaries of a CGNS file. */
 vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets);
+
+/** The names of the sets, patches and boundaries of a file that a reader without them leaves out.
+ * Throws Failure. */
+std::vector<std::string> ListSets(const std::string& file);
 
 /** Whether a file holds a surface (vtkPolyData), by its extension, or by its beginning where others
  * have the same extension. */

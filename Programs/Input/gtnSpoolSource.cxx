@@ -32,6 +32,7 @@ void SpoolSource::SetMesh(std::shared_ptr<const SpooledMesh> mesh, const InputOp
 {
   this->Mesh = std::move(mesh);
   this->Options = options;
+  this->Options.Skip.clear(); // these have not been read
   this->Options.Arrays.emplace_back(JoinArrayName);
   this->Modified();
 }

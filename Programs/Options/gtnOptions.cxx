@@ -24,6 +24,22 @@ void AddArrays(CLI::App* command, InputOptions& input, const std::string& descri
 }
 
 //------------------------------------------------------------------------------
+void AddSkip(CLI::App* command, InputOptions& input, const std::string& description)
+{
+  command->add_option("--skip", input.Skip, description)
+    ->delimiter(',')
+    ->allow_extra_args(false)
+    ->option_text("NAME,...");
+}
+
+//------------------------------------------------------------------------------
+void AddNoGhosts(CLI::App* command, InputOptions& input, const std::string& description)
+{
+  command->add_flag_callback(
+    "--no-ghosts", [&input] { input.Ghosts = false; }, description);
+}
+
+//------------------------------------------------------------------------------
 void AddSkipMissing(CLI::App* command, InputOptions& input)
 {
   command->add_flag("--skip-missing", input.SkipMissing,

@@ -19,6 +19,12 @@ void AddForce(CLI::App* command, bool& overwrite);
 void AddArrays(CLI::App* command, InputOptions& input,
   const std::string& description = "Only these point and cell arrays (default: all)");
 
+/** --skip: which arrays of the input are not wanted. */
+void AddSkip(CLI::App* command, InputOptions& input, const std::string& description);
+
+/** --no-ghosts: whether ghost cells are not wanted. */
+void AddNoGhosts(CLI::App* command, InputOptions& input, const std::string& description);
+
 /** --skip-missing: whether files that a list names may be missing. */
 void AddSkipMissing(CLI::App* command, InputOptions& input);
 

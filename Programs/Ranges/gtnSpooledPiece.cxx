@@ -5,6 +5,7 @@
 
 #include "gtnSpooledMesh.h"
 
+#include "gatunArrayBridge.h"
 #include "gatunFaceStream.h"
 #include "gatunNewArray.h"
 #include "vtkGatunWriter.h"
@@ -148,6 +149,10 @@ vtkSmartPointer<vtkUnstructuredGrid> SpooledMesh::MakePiece(
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   vtkNew<vtkPoints> points;
   points->SetDataType(form->GetPoints() ? form->GetPoints()->GetDataType() : VTK_FLOAT);
+  if (form->GetPoints())
+  {
+    gatun::CopyNames(form->GetPoints()->GetData(), points->GetData());
+  }
   this->FillArray(points->GetData(), this->Coordinates, piece);
   grid->SetPoints(points);
   const bool hasCells = piece < this->FirstUnused;
@@ -168,9 +173,8 @@ vtkSmartPointer<vtkUnstructuredGrid> SpooledMesh::MakePiece(
     {
       vtkAbstractArray* model = from->GetAbstractArray(i);
       auto array = vtk::TakeSmartPointer(vtkDataArray::SafeDownCast(model->NewInstance()));
-      array->SetName(model->GetName());
       array->SetNumberOfComponents(model->GetNumberOfComponents());
-      array->CopyComponentNames(model);
+      gatun::CopyNames(model, array);
       this->FillArray(array,
         this->Arrays[association]
                     [step * static_cast<std::size_t>(count) + static_cast<std::size_t>(i)],

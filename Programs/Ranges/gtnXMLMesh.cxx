@@ -36,7 +36,6 @@ class XMLHeaderReader : public XMLPieceReader<vtkXMLUnstructuredGridReader>
 {
 public:
   static XMLHeaderReader* New();
-  vtkTypeMacro(XMLHeaderReader, vtkXMLUnstructuredGridReader);
 
   static vtkSmartPointer<XMLHeaderReader> Read(const std::string& file)
   {
@@ -129,7 +128,7 @@ XMLSummary ReadXMLSummary(const std::string& file)
   summary.Grid = reader->GetOutput();
   try
   {
-    summary.Corners = XMLMesh(file, nullptr).CountCorners();
+    summary.Corners = XMLMesh(file, nullptr, {}).CountCorners();
   }
   catch (const Failure&)
   {
@@ -152,7 +151,8 @@ std::uint64_t XMLMesh::CountCorners() const
 }
 
 //------------------------------------------------------------------------------
-XMLMesh::XMLMesh(const std::string& file, const std::vector<std::string>* arrays)
+XMLMesh::XMLMesh(const std::string& file, const std::vector<std::string>* arrays,
+  const std::vector<std::string>& skip)
   : File(file)
 {
   this->Reader = XMLHeaderReader::Read(file);
@@ -161,13 +161,15 @@ XMLMesh::XMLMesh(const std::string& file, const std::vector<std::string>* arrays
     this->Refuse("has several time steps");
   }
   this->Template = this->Reader->GetOutput();
+  const auto isIn = [](const std::vector<std::string>& names, const char* name)
+  { return name && std::find(names.begin(), names.end(), name) != names.end(); };
   for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
   {
     vtkFieldData* data = DataOf(this->Template, association);
     for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
     {
       const char* name = data->GetAbstractArray(i)->GetName();
-      if (arrays && (!name || std::find(arrays->begin(), arrays->end(), name) == arrays->end()))
+      if ((arrays && !isIn(*arrays, name)) || isIn(skip, name))
       {
         data->RemoveArray(i);
       }

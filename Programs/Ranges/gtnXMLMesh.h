@@ -40,9 +40,11 @@ XMLSummary ReadXMLSummary(const std::string& file);
 class XMLMesh : public RangedMesh
 {
 public:
-  /** arrays: the names of those to read; null for all. Throws Failure, also for a file that VTK can
-   * read but that cannot be read by ranges: with text, inline data, or several time steps. */
-  XMLMesh(const std::string& file, const std::vector<std::string>* arrays);
+  /** arrays: the names of those to read; null for all. skip: of those to leave out. Throws Failure,
+   * also for a file that VTK can read but that cannot be read by ranges: with text, inline data, or
+   * several time steps. */
+  XMLMesh(const std::string& file, const std::vector<std::string>* arrays,
+    const std::vector<std::string>& skip);
   ~XMLMesh() override;
 
   std::uint64_t GetNumberOfPoints() const override { return this->PointCount; }

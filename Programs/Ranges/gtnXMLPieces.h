@@ -5,6 +5,8 @@
 
 // The pieces of .vtu and .vtp files, without their values.
 
+#include "gtnXMLKeys.h"
+
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
@@ -63,6 +65,7 @@ class XMLPieceReader : public Reader
 protected:
   int ReadPrimaryElement(vtkXMLDataElement* mesh) override
   {
+    MakeUnknownKeys(mesh);
     const std::string problem = PreparePieces(mesh);
     if (!problem.empty())
     {

@@ -60,7 +60,15 @@ void ReadTables(fuzz::Input& in)
 {
   const auto next = [&] { return test::Store(fuzz::Copy(in.TakePart())); };
   const auto meta = MetaTable::Read(next());
-  CheckAgain([&] { return meta.Write(); }, [](const Bytes& bytes) { MetaTable::Read(bytes); });
+  CheckAgain([&] { return meta.Write(); },
+    [&](const Bytes& bytes)
+    {
+      const auto again = MetaTable::Read(bytes);
+      if (again.Arrays != meta.Arrays || again.PointArray != meta.PointArray)
+      {
+        std::abort();
+      }
+    });
   auto mesh = MeshIndex::Read(next(), meta);
   CheckAgain([&] { return mesh.Write(meta.Keep); },
     [&](const Bytes& bytes) { MeshIndex::Read(bytes, meta); });

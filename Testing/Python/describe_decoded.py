@@ -23,7 +23,16 @@ WHERE = ("points", "cells")
 
 def describe(array):
     return golden.describe_array(
-        array.name, array.vtk_type, array.components, list(array.component_names))
+        array.name, array.vtk_type, array.components, list(array.component_names),
+        describe_keys(array))
+
+
+def describe_keys(array):
+    """Location, name, kind and values as texts."""
+    return sorted(
+        [key.location, key.name, key.kind,
+         [v.decode() if isinstance(v, bytes) else str(v) for v in key.values]]
+        for key in array.keys)
 
 
 def describe_field_array(array):
@@ -127,7 +136,9 @@ def describe_mesh(decoder, steps):
         for array in meta.arrays:
             if array.roles >> role & 1:
                 roles[WHERE[array.where]][str(role)] = array.name
+    points = meta.point_array
     return {
+        **golden.describe_points(points.name, list(points.component_names), describe_keys(points)),
         "times": [decoder.steps[step].time for step in steps] if meta.has_time else [],
         "wide_ids": meta.wide_ids != 0 if decoder.cells() else None,
         "arrays": [

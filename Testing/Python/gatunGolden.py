@@ -25,7 +25,7 @@ import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonCore import vtkInformationIterator, vtkStringArray
 from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON, VTK_TETRA, vtkUnstructuredGrid
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as pipeline
 
@@ -82,7 +82,37 @@ def sha256_of_texts(texts):
     return hashlib.sha256(b"".join(parts)).hexdigest()
 
 
-def describe_array(name, vtk_type, components, component_names):
+#: Kinds of information keys (3.2), by the ends of their classes' names.
+KEY_KINDS = {"IntegerKey": 1, "DoubleKey": 2, "IdTypeKey": 3, "UnsignedLongKey": 4, "StringKey": 5,
+             "IntegerVectorKey": 6, "DoubleVectorKey": 7, "StringVectorKey": 8}
+
+
+def keys_of(array):
+    """The information keys of an array: location, name, kind and values, as texts."""
+    keys = []
+    iterator = vtkInformationIterator()
+    iterator.SetInformation(array.GetInformation())
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        key = iterator.GetCurrentKey()
+        kind = KEY_KINDS.get(key.GetClassName().removeprefix("vtkInformation"))
+        if kind and not key.GetName().endswith("RANGE"):
+            info = array.GetInformation()
+            values = [key.Get(info, i) for i in range(key.Length(info))] if kind > 5 else [
+                key.Get(info)]
+            keys.append([key.GetLocation(), key.GetName(), kind, [str(v) for v in values]])
+        iterator.GoToNextItem()
+    return sorted(keys)
+
+
+def describe_points(name, component_names, keys):
+    """The array of the points, if it is not as usual."""
+    described = dict(describe_array(name, 0, 3, component_names), keys=keys)
+    return {} if described == {
+        **describe_array("Points", 0, 3, []), "keys": []} else {"point_array": described}
+
+
+def describe_array(name, vtk_type, components, component_names, keys=()):
     while component_names and not component_names[-1]:
         component_names = component_names[:-1]
     return {
@@ -90,11 +120,12 @@ def describe_array(name, vtk_type, components, component_names):
         "vtk_type": vtk_type,
         "components": components,
         "component_names": component_names,
+        **({"keys": list(keys)} if keys else {}),
     }
 
 
 def describe_field_array(array):
-    result = describe_array(*gm.description(array))
+    result = describe_array(*gm.description(array), keys_of(array))
     if isinstance(array, vtkStringArray):
         texts = [array.GetValue(i).encode() for i in range(array.GetNumberOfValues())]
         result["sha256"] = sha256_of_texts(texts)
@@ -180,11 +211,14 @@ def describe_grids(grids, times, in_input_order):
 def describe_mesh(grids, times, in_input_order):
     """Of steps that have one mesh."""
     grid = grids[0]
+    points = grid.GetPoints() and grid.GetPoints().GetData()
     return {
+        **(describe_points(points.GetName(), gm.description(points)[3], keys_of(points))
+           if points else {}),
         "times": times,
         "wide_ids": gm.has_wide_ids(grid.GetCells()) if grid.GetNumberOfCells() else None,
         "arrays": [
-            dict(describe_array(*gm.description(array)), where=where)
+            dict(describe_array(*gm.description(array), keys_of(array)), where=where)
             for where, attributes in attributes_of(grid).items()
             for array in gm.arrays_of(attributes)
         ],

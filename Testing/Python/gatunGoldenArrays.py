@@ -6,7 +6,9 @@
 Each function of ALL makes the file with its name; see make_golden.py."""
 
 import numpy as np
+from vtkmodules import vtkCommonCore
 from vtkmodules.util import vtkConstants as c
+from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes
 
 from gatunGolden import gm
@@ -72,6 +74,35 @@ def attributes(rng):
     add(grid.GetCellData(), rng.random(len(tets)), "same name")
     grid.GetCellData().SetActiveAttribute("ids", vtkDataSetAttributes.GLOBALIDS)
     grid.GetCellData().SetActiveScalars("same name")
+    return grid, {"KeepOrder": 7}
+
+
+def names_and_keys(rng):
+    """Information keys of all kinds, of arrays, points and field data, and names of the points."""
+    points, tets = cubes((2, 2, 2))
+    grid = gm.make_grid(single(jitter(points, rng)), tets)
+    add(grid.GetPointData(), wave(points), "pressure")
+    add(grid.GetCellData(), np.arange(len(tets), dtype=np.int32), "number")
+    add(grid.GetFieldData(), np.array([2.5, 3.5]), "limits")
+    places = grid.GetPoints().GetData()
+    places.SetName("Position")
+    for i, name in enumerate("xyz"):
+        places.SetComponentName(i, name)
+    arrays = [grid.GetPointData().GetArray(0), grid.GetCellData().GetArray(0), places,
+              grid.GetFieldData().GetArray(0)]
+    for array, unit in zip(arrays, ("Pa", "", "m", "\u00b5m")):
+        array.GetInformation().Set(vtkDataArray.UNITS_LABEL(), unit)
+    info = arrays[0].GetInformation()
+    for kind, values in (
+            ("Integer", -5), ("Double", 0.1), ("IdType", 1 << 40), ("UnsignedLong", 7),
+            ("String", "text"), ("IntegerVector", [1, -2, 3]), ("DoubleVector", [0.5, -0.0]),
+            ("StringVector", ["one", "", "three"])):
+        key = getattr(vtkCommonCore, "vtkInformation%sKey" % kind).MakeKey(
+            "OF_" + kind.upper(), "gatunGolden")
+        if not isinstance(values, list):
+            key.Set(info, values)
+        for value in values if isinstance(values, list) else ():
+            key.Append(info, value)
     return grid, {"KeepOrder": 7}
 
 
@@ -297,5 +328,5 @@ def quadratic_changes(_):
 
 
 ALL = [
-    palettes, value_types, attributes, field_data, scales, scales_of_steps, copies_of_arrays,
-    bounded_errors, bounded_errors_at_steps, quadratic_values, quadratic_neighbors, quadratic_changes]
+    palettes, value_types, attributes, names_and_keys, field_data, scales, scales_of_steps,
+    copies_of_arrays, bounded_errors, bounded_errors_at_steps, quadratic_values, quadratic_neighbors, quadratic_changes]

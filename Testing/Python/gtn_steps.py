@@ -10,7 +10,7 @@ import math
 from types import SimpleNamespace as Record
 
 from gtn_bytes import COPY, SCALES, SIZES, require
-from gtn_tables import POINTS
+from gtn_tables import POINTS, read_keys
 
 
 def read_step(table, meta, layout, open_page):
@@ -69,7 +69,9 @@ def read_field_array(table):
     """An array of the field data (3.5): values are bytes, or a list of texts (bytes as well)."""
     array = Record(name=table.string(), vtk_type=table.number("i"), components=table.varint())
     array.component_names = [table.string() for _ in range(table.varint())]
-    array.type = table.number("B")
+    mark = table.number("B")
+    array.type = mark & 127
+    array.keys = read_keys(table) if mark & 128 else []
     require(array.components < 1 << 31, "components of field data")
     if array.type == 0:
         array.values = [table.raw_string() for _ in range(table.varint())]

@@ -18,6 +18,36 @@ MAX_VALUES = 1 << 24
 PAGE_CHUNKS = 256
 
 
+def read_keys(table):
+    """Keys of an array (3.2): class, name, kind and values of each."""
+    keys = []
+    for _ in range(table.varint()):
+        key = Record(location=table.string(), name=table.string(), kind=table.number("B"))
+        require(key.location and key.name, "name of a key")
+        require(1 <= key.kind <= 9, "kind of a key")
+        count = table.varint()
+        require(key.kind > 5 or count == 1, "values of a key")
+        read = {5: table.raw_string, 8: table.raw_string}.get(
+            key.kind, lambda kind=key.kind: table.number("d" if kind in (2, 7, 9) else "q"))
+        key.values = [read() for _ in range(count)]
+        keys.append(key)
+    require(keys, "empty list of keys")
+    return keys
+
+
+def read_point_array(table):
+    """The array of the points in META (3.2)."""
+    array = Record(name=table.string(), keys=[])
+    names = table.varint()
+    require(names <= 3, "names of the components of points")
+    array.component_names = [table.string() for _ in range(names)]
+    has_keys = table.number("B")
+    require(has_keys <= 1, "keys of points")
+    if has_keys:
+        array.keys = read_keys(table)
+    return array
+
+
 def read_meta(table):
     """Section META (3.2)."""
     meta = Record()
@@ -28,9 +58,10 @@ def read_meta(table):
     meta.coordinate_type = table.number("B")
     meta.wide_ids = table.number("B")
     flags = table.number("B")
-    meta.has_time = flags != 0
+    require(flags <= 7, "flags of META")
+    meta.has_time = flags & 1 != 0
     meta.points_move = flags & 2 != 0
-    require(not meta.points_move or flags & 1 != 0, "motion without time")
+    require(not meta.points_move or meta.has_time, "motion without time")
     meta.keep = table.number("B")
     meta.chunk_size = table.varint()
     meta.key_step_interval = table.varint()
@@ -38,11 +69,16 @@ def read_meta(table):
     require(meta.coordinate_type in (9, 10), "type of the coordinates")
     require(meta.keep <= 7, "kept order")
     require(max(meta.chunk_size, meta.key_step_interval) < 1 << 32, "number too large")
+    meta.point_array = Record(name="Points", component_names=[], keys=[])
+    if flags & 4:
+        meta.point_array = read_point_array(table)
     meta.arrays = []
     for _ in range(table.varint()):
         array = Record()
         array.name = table.string()
-        array.where = table.number("B")
+        where = table.number("B")
+        require(where <= 3, "array")
+        array.where = where & 1
         array.type = table.number("B")
         array.components = table.varint()
         array.vtk_type = table.number("i")
@@ -52,6 +88,7 @@ def read_meta(table):
         names = table.varint()
         require(names <= array.components, "number of component names")
         array.component_names = [table.string() for _ in range(names)]
+        array.keys = read_keys(table) if where & 2 else []
         meta.arrays.append(array)
     table.end()
     # Tables of steps have the coordinates of points that move as one more array.

@@ -55,6 +55,32 @@ TEST(HostileTables, CountsOfTheMeshMustAddUp)
     [](FileImage& f) { f.Meta.Points = std::numeric_limits<std::uint64_t>::max(); });
 }
 
+TEST(HostileTables, KeysMustBePossible)
+{
+  const auto withKey = [](const ArrayKey& key)
+  { return [key](FileImage& f) { f.Meta.Arrays.at(0).Keys = { key }; }; };
+  const auto path = PutFile("keys.gtn",
+    [&]
+    {
+      auto image = MakeImage();
+      withKey({ "Class", "KEY", KeyKind::Texts, {}, { "", "b" } })(image);
+      image.Meta.PointArray = { "Position", { "x", "y", "z" },
+        { { "Class", "KEY", KeyKind::Double, { 1 }, {} } } };
+      return image.Build();
+    }());
+  EXPECT_NO_THROW(ReadAll(path));
+  EXPECT_EQ(FileReader(path).GetPointArray().Name, "Position");
+  ExpectRefused("a key is of an unknown kind", withKey({ "C", "K", KeyKind(10), { 1 }, {} }));
+  ExpectRefused("a key has no name", withKey({ "C", "", KeyKind::Integer, { 1 }, {} }));
+  ExpectRefused("a key has no name", withKey({ "", "KEY", KeyKind::Integer, { 1 }, {} }));
+  ExpectRefused(
+    "a key of one value has another number", withKey({ "C", "K", KeyKind::Integer, { 1, 2 }, {} }));
+  ExpectRefused(
+    "a key of one value has another number", withKey({ "C", "K", KeyKind::Text, {}, {} }));
+  ExpectRefused("points have too many names of components",
+    [](FileImage& f) { f.Meta.PointArray.ComponentNames.resize(4); });
+}
+
 TEST(HostileTables, CountsOfAChunkMustBePossible)
 {
   ExpectRefused("impossible number of tetrahedra",
