@@ -92,6 +92,7 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
   os << indent << "LayerSpacing: " << this->LayerSpacing << "\n";
   os << indent << "WriteAllTimeSteps: " << (this->WriteAllTimeSteps ? "On" : "Off") << "\n";
+  os << indent << "FillMissingArrays: " << (this->FillMissingArrays ? "On" : "Off") << "\n";
   os << indent << "SplitCells: " << (this->SplitCells ? "On" : "Off") << "\n";
   os << indent << "PointToleranceKind: " << this->PointToleranceKind << "\n";
   os << indent << "PointTolerance: " << this->PointTolerance << "\n";
@@ -511,16 +512,26 @@ void vtkGatunWriter::WriteStep(vtkDataObject* input)
   {
     self.Warn("integer coordinates are written as double");
   }
-  const std::vector<gatun::BridgedArray> arrays = self.SelectArrays(grid);
-  std::vector<gatun::ArrayDescription> descriptions;
+  std::vector<gatun::BridgedArray> arrays = self.SelectArrays(grid);
+  if (!self.ArrangeArrays(grid, input, arrays))
+  {
+    this->UpdateProgress(this->GetProgress());
+    if (gatun::IsAborted(this))
+    {
+      throw gatun::Error(gatun::ErrorCode::Aborted, "aborted");
+    }
+    if (++self.Step >= self.GetNumberOfSteps())
+    {
+      self.Restart();
+    }
+    return;
+  }
   std::vector<const void*> values;
   for (const gatun::BridgedArray& array : arrays)
   {
-    descriptions.push_back(array.Description);
     values.push_back(array.Values);
   }
-
-  if (!self.UseMesh(grid, mesh, arrays, descriptions))
+  if (!self.UseMesh(grid, mesh, arrays))
   {
     self.Restart();
     return;

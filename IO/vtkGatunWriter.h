@@ -34,8 +34,12 @@
  *
  * Time: with WriteAllTimeSteps, all time steps of the input go into one file. If points move, the
  * writer requests the first time steps twice. Cells and the number of points may change: then
- * the file has another mesh from that step on. If an array comes, goes or changes its type, that is
- * an error naming the step; so are points that move and meshes that change with NumberOfPieces or
+ * the file has another mesh from that step on. Arrays may have another order at each step, and have
+ * the order and roles of the first step with values, and the first names of components that occur.
+ * vtkGhostType may come and go, and a step without points or cells needs no arrays of them. If the
+ * arrays turn out to be more, the rest of the steps is looked at, and all are requested again. If
+ * another array comes or goes (but see FillMissingArrays), or changes its type, that is an error
+ * naming array and step; so are points that move and meshes that change with NumberOfPieces or
  * several processes. Without, the step at hand is written, with its time if it has one
  * (vtkDataObject::DATA_TIME_STEP()).
  *
@@ -295,6 +299,17 @@ public:
 
   ///@{
   /**
+   * Whether arrays may come and go with WriteAllTimeSteps: a time step that does not have an array
+   * of another one gets it, with NaN, or 0 if it is of integers. No effect with NumberOfPieces or
+   * several processes. Default: off.
+   */
+  vtkSetMacro(FillMissingArrays, bool);
+  vtkGetMacro(FillMissingArrays, bool);
+  vtkBooleanMacro(FillMissingArrays, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether to write tetrahedra in place of the cells, with warnings: 3D cells are split
    * (Documentation/cells.md), nonlinear ones by their corners alone, and all other cells are left
    * out. The cell array OriginalCellIds holds the id of the input cell (an array of that name is
@@ -411,6 +426,7 @@ protected:
   int NumberOfLayers = 0;
   int LayerSpacing = LAYERS_HISTOGRAM;
   bool WriteAllTimeSteps = false;
+  bool FillMissingArrays = false;
   bool SplitCells = false;
   int PointToleranceKind = TOLERANCE_NONE;
   double PointTolerance = 0;

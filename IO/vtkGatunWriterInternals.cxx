@@ -6,6 +6,7 @@
 #include "gatunErrorBound.h"
 
 #include "gatunCellInput.h"
+#include "gatunDescriptionText.h"
 #include "gatunError.h"
 #include "gatunPointRounding.h"
 #include "gatunReport.h"
@@ -13,8 +14,10 @@
 #include "gatunWriterArrays.h"
 #include "vtkGatunCompat.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -221,14 +224,8 @@ vtkGatunWriter::vtkInternals::WrittenMesh vtkGatunWriter::vtkInternals::MakeMesh
 
 //------------------------------------------------------------------------------
 bool vtkGatunWriter::vtkInternals::UseMesh(vtkUnstructuredGrid* grid,
-  std::unique_ptr<gatun::BridgedMesh>& mesh, const std::vector<gatun::BridgedArray>& arrays,
-  const std::vector<gatun::ArrayDescription>& descriptions)
+  std::unique_ptr<gatun::BridgedMesh>& mesh, const std::vector<gatun::BridgedArray>& arrays)
 {
-  if (this->File && descriptions != this->Arrays)
-  {
-    gatun::ThrowInvalid("the point or cell arrays change in time step " +
-      std::to_string(this->Step) + " (time " + std::to_string(this->Times[this->Step]) + ")");
-  }
   this->Remaining.reset();
   const auto cellHash = this->GetNumberOfSteps() > 1 ? mesh->HashCells() : gatun::Fingerprint();
   for (const WrittenMesh& written : this->Meshes)
@@ -237,6 +234,7 @@ bool vtkGatunWriter::vtkInternals::UseMesh(vtkUnstructuredGrid* grid,
     {
       if (!this->PointsMove && mesh->HashPoints() != written.PointHash)
       {
+        this->PointsMove = true;
         return false;
       }
       this->File->UseMesh(written.Number);
@@ -245,7 +243,9 @@ bool vtkGatunWriter::vtkInternals::UseMesh(vtkUnstructuredGrid* grid,
   }
   if (this->UseRemaining(*mesh))
   {
-    return this->PointsMove || !this->Remaining->HaveMoved;
+    const bool isRead = this->PointsMove || !this->Remaining->HaveMoved;
+    this->PointsMove = this->PointsMove || this->Remaining->HaveMoved;
+    return isRead;
   }
   for (WrittenMesh& written : this->Meshes)
   {
@@ -262,9 +262,13 @@ bool vtkGatunWriter::vtkInternals::UseMesh(vtkUnstructuredGrid* grid,
   const auto progress = this->MakeProgress(this->Step);
   if (!this->File)
   {
-    this->Arrays = descriptions;
+    std::vector<gatun::ArrayDescription> descriptions;
+    for (const gatun::BridgedArray& array : arrays)
+    {
+      descriptions.push_back(array.Description);
+    }
     this->File = std::make_unique<gatun::FileWriter>(
-      this->Owner->FileName, added.Mesh->Mesh, this->Arrays, options, progress);
+      this->Owner->FileName, added.Mesh->Mesh, descriptions, options, progress);
   }
   else
   {
@@ -299,6 +303,31 @@ bool vtkGatunWriter::vtkInternals::UseRemaining(const gatun::BridgedMesh& mesh)
 }
 
 //------------------------------------------------------------------------------
+bool vtkGatunWriter::vtkInternals::ArrangeArrays(
+  vtkUnstructuredGrid* grid, vtkDataObject* input, std::vector<gatun::BridgedArray>& arrays)
+{
+  gatun::SeriesArrays::Step step;
+  step.Points = static_cast<std::size_t>(grid->GetNumberOfPoints());
+  step.Cells = static_cast<std::size_t>(grid->GetNumberOfCells());
+  if (!this->Times.empty())
+  {
+    vtkInformation* const info = input->GetInformation();
+    const char* const name = info->Get(vtkCompositeDataSet::NAME()); // such as that of a file
+    step.Name = "time step " + std::to_string(this->Step) + " (time " +
+      gatun::DescribeNumber(this->Times[this->Step]) +
+      (name ? ", " + gatun::MakePrintableLine(name) : "") + ")";
+  }
+  const bool areKnown = this->Arrays.Learn(arrays, step) || !this->File;
+  if (this->LooksAhead || !areKnown)
+  {
+    this->LooksAhead = true;
+    return false;
+  }
+  arrays = this->Arrays.Arrange(arrays, step);
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void vtkGatunWriter::vtkInternals::Restart()
 {
   this->File.reset();
@@ -308,7 +337,7 @@ void vtkGatunWriter::vtkInternals::Restart()
   this->Points = 0;
   this->Cells = 0;
   this->Step = 0;
-  this->PointsMove = true;
+  this->LooksAhead = false;
   this->IsRestarted = true;
 }
 

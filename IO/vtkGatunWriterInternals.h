@@ -13,6 +13,7 @@
 #include "gatunGridPieces.h"
 #include "gatunMergeGrid.h"
 #include "gatunProcessExchange.h"
+#include "gatunSeriesArrays.h"
 #include "gatunStatistics.h"
 #include "vtkGatunWriter.h"
 
@@ -55,13 +56,18 @@ public:
   // new one, which takes the mesh over. Returns false if the points move, and the file is one whose
   // points do not.
   bool UseMesh(vtkUnstructuredGrid* grid, std::unique_ptr<gatun::BridgedMesh>& mesh,
-    const std::vector<gatun::BridgedArray>& arrays,
-    const std::vector<gatun::ArrayDescription>& descriptions);
+    const std::vector<gatun::BridgedArray>& arrays);
 
   // The mesh as some of the cells of one that was written, with the file prepared for it.
   bool UseRemaining(const gatun::BridgedMesh& mesh);
 
-  // Begins the file once more, because the points of a step differ from those of the first one.
+  // Puts the arrays of a step into the order of the file. Returns false if the file has to have
+  // more, and will be begun once more; the rest of the steps is then looked at before.
+  bool ArrangeArrays(
+    vtkUnstructuredGrid* grid, vtkDataObject* input, std::vector<gatun::BridgedArray>& arrays);
+
+  // Begins the file once more, because the points of a step differ from those of the first one, or
+  // because it has other arrays.
   void Restart();
   // One that is refused when the file is written if there is no such kind.
   static gatun::ErrorKind ToErrorKind(int kind)
@@ -112,7 +118,8 @@ public:
   std::vector<WrittenMesh> Meshes;            // the first one and the one that was added last
   std::optional<gatun::FoundCells> Remaining; // if the step has some cells of one of them only
   std::unique_ptr<gatun::FileWriter> File;
-  std::vector<gatun::ArrayDescription> Arrays;
+  gatun::SeriesArrays Arrays;
+  bool LooksAhead = false;                     // for more arrays in the steps to come
   bool PointsMove = false;                     // as a step has told
   bool IsRestarted = false;                    // for this reason, and not read again yet
   std::unique_ptr<gatun::MergeTree> FirstTree; // that of the first mesh, then
@@ -149,7 +156,9 @@ public:
     this->Meshes.clear();
     this->Remaining.reset();
     this->FirstTree.reset();
-    this->Arrays.clear();
+    this->Arrays.Begin(
+      this->Owner->FillMissingArrays, [this](const std::string& what) { this->Warn(what); });
+    this->LooksAhead = false;
     this->Points = 0;
     this->Cells = 0;
     this->Warned.clear();

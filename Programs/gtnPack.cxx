@@ -16,6 +16,7 @@
 #include "gtnParse.h"
 #include "gtnPieceOptions.h"
 #include "gtnProgress.h"
+#include "gtnStepChooser.h"
 #include "gtnText.h"
 #include "gtnWriteGatun.h"
 
@@ -67,6 +68,7 @@ struct PackOptions
   std::optional<std::string> PointTolerance; ///< as given
   std::vector<std::string> Tolerances;       ///< of arrays, as given
   bool FastArrays = false;
+  bool FillMissing = false;
   PieceOptions Pieces;
 };
 
@@ -211,6 +213,7 @@ void Pack(const PackOptions& options, const Settings& settings)
   writer->SetChunkSize(options.ChunkSize);
   writer->SetKeyStepInterval(options.KeyStepInterval);
   writer->WriteAllTimeStepsOn();
+  writer->SetFillMissingArrays(options.FillMissing);
   writer->SetHierarchy(options.Hierarchy || options.Levels > 0);
   writer->SetLevels(options.Levels);
   writer->SetWriteBoundary(options.Boundary);
@@ -248,6 +251,7 @@ void AddPack(CLI::App& app, Settings& settings)
     "  gtn pack --layers temperature:8 mesh.vtu mesh.gtn\n"
     "  gtn pack run_0.vtu run_1.vtu run_2.vtu run.gtn\n"
     "  gtn pack run.pvd run.gtn\n"
+    "  gtn pack --steps 0:100:10 run.e run.gtn\n"
     "  gtn pack --point-tolerance abs:1e-6 surface.stl surface.gtn\n"
     "  gtn pack --tolerance pressure=abs:0.01 --tolerance '*=rel:1e-4' mesh.vtu mesh.gtn\n"
     "  gtn pack --memory 2000 --spill /scratch large.vtu large.gtn\n"
@@ -260,6 +264,10 @@ void AddPack(CLI::App& app, Settings& settings)
   AddSets(command, options->Input);
   AddNoGhosts(command, options->Input,
     "Leave out ghost cells (vtkGhostType) and points that only they use, as --pieces does");
+  AddSteps(command, options->Input.Steps);
+  command->add_flag("--fill-missing", options->FillMissing,
+    "Let arrays come and go with time: a step that lacks an array of another step gets it, with "
+    "NaN, or 0 if it is of integers (default: such steps are refused)");
   command
     ->add_option("--keep-order", options->KeepOrder,
       "Order to keep: none, points, cells, or all (points, cells, and the corners of "
@@ -357,6 +365,10 @@ void AddPack(CLI::App& app, Settings& settings)
       {
         throw UsageError("--keep-apart needs --pieces or --memory: a mesh that is read as a whole "
                          "keeps all points");
+      }
+      if (options->FillMissing && options->Input.InPieces)
+      {
+        throw UsageError("--fill-missing needs the whole mesh, without --pieces and --memory");
       }
       options->Out = options->In.back();
       options->In.pop_back();

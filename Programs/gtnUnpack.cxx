@@ -12,6 +12,7 @@
 #include "gtnOutput.h"
 #include "gtnProgress.h"
 #include "gtnStep.h"
+#include "gtnStepChooser.h"
 #include "gtnSurfaceWriter.h"
 #include "gtnText.h"
 #include "gtnWriteMesh.h"
@@ -28,6 +29,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace gtn
 {
@@ -38,6 +41,7 @@ struct UnpackOptions
 {
   std::string In;
   std::string Out;
+  bool All = false;
   bool Overwrite = false;
   StepOptions Step;
   InputOptions Input;
@@ -78,8 +82,72 @@ void UnpackSurface(vtkPolyData* surface, const UnpackOptions& options, const Set
   }
 }
 
+// "run_007.vtu" for step 7 of run.pvd, with as many digits as the last step has.
+std::string NameOfStep(
+  const UnpackOptions& options, std::size_t step, std::size_t steps, const std::string& extension)
+{
+  return fmt::format(
+    "{}_{:0{}}{}", StemOf(options.Out), step, std::to_string(steps - 1).size(), extension);
+}
+
+// Writes a file for each step, and the list of them at last.
+void UnpackAll(const UnpackOptions& options, const Settings& settings)
+{
+  if (ExtensionOf(options.Out) != ".pvd")
+  {
+    throw UsageError(options.Out + ": with --all, the name must end in .pvd");
+  }
+  Input input({ options.In }, options.Input);
+  const std::vector<double>& times = input.GetTimes();
+  if (times.empty())
+  {
+    throw Failure(options.In, "has no time steps; without --all it becomes one .vtu or .vtp file");
+  }
+  CheckWritable(options.Out, options.Overwrite);
+  std::vector<std::string> files;
+  for (std::size_t step = 0; step < times.size(); ++step)
+  {
+    Progress progress(
+      fmt::format("writing step {} of {}", step + 1, times.size()), settings.ShowProgress);
+    vtkDataObject* const data = input.Read(step, progress);
+    auto* const surface = vtkPolyData::SafeDownCast(data);
+    if (step == 0)
+    {
+      for (std::size_t i = 0; i < times.size(); ++i)
+      {
+        files.push_back(NameOfStep(options, i, times.size(), surface ? ".vtp" : ".vtu"));
+        CheckWritable(files.back(), options.Overwrite);
+      }
+    }
+    if (surface)
+    {
+      WriteSurface(surface, files[step], progress, CompressorOf(options.How));
+    }
+    else
+    {
+      WriteGrid(
+        vtkUnstructuredGrid::SafeDownCast(data), files[step], CompressorOf(options.How), progress);
+    }
+  }
+  WriteCollection(options.Out, files, times);
+  if (!settings.Quiet)
+  {
+    fmt::print("{}: {} time steps, {} to {}\n", options.Out, files.size(), files.front(),
+      FileOf(files.back()));
+  }
+}
+
 void Unpack(const UnpackOptions& options, const Settings& settings)
 {
+  if (options.All)
+  {
+    UnpackAll(options, settings);
+    return;
+  }
+  if (ExtensionOf(options.Out) == ".pvd")
+  {
+    throw UsageError(options.Out + ": a .pvd file lists all time steps, which --all writes");
+  }
   const std::string extension = ExtensionOf(options.Out);
   const bool isOfGrids = extension == ".vtu" || extension == ".vtk";
   const bool isOfSurfaces = extension == ".vtk" || IsOneOfSurfaces(extension);
@@ -124,13 +192,21 @@ void AddUnpack(CLI::App& app, Settings& settings)
     "Write a .gtn file, or one of its time steps, to a .vtu or .vtk file. A surface is written to "
     "a\n"
     ".vtp, .vtk, .stl, .ply or .obj file; what the last three cannot hold is left out, with a "
-    "warning.",
+    "warning.\n"
+    "With --all, each time step is written to a .vtu or .vtp file beside OUT, a .pvd file that\n"
+    "lists them with their times: run_0.vtu, run_1.vtu and so on of run.pvd.",
     "  gtn unpack mesh.gtn mesh.vtu\n"
     "  gtn unpack surface.gtn surface.vtp\n"
     "  gtn unpack --arrays pressure,velocity --step 10 run.gtn step10.vtu\n"
+    "  gtn unpack --all run.gtn run.pvd\n"
     "  gtn unpack -f --compressor none mesh.gtn mesh.vtu");
   AddForce(command, options->Overwrite);
-  AddStep(command, options->Step);
+  auto* const all = command->add_flag("--all", options->All, "Write all time steps");
+  for (CLI::Option* const one : AddStep(command, options->Step))
+  {
+    one->excludes(all);
+  }
+  AddSteps(command, options->Input.Steps)->needs(all);
   AddArrays(command, options->Input);
   AddSets(command, options->Input);
   command
@@ -142,7 +218,8 @@ void AddUnpack(CLI::App& app, Settings& settings)
     ->required();
   command
     ->add_option("OUT", options->Out,
-      "The .vtu or .vtk file, or the .vtp, .vtk, .stl, .ply or .obj file of a surface")
+      "The .vtu or .vtk file, or the .vtp, .vtk, .stl, .ply or .obj file of a surface; with --all "
+      "the .pvd file")
     ->required();
   command->callback(
     [=, &settings]

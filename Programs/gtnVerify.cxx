@@ -3,6 +3,7 @@
 
 // gtn verify: checks a file, and compares it with another one.
 
+#include "gtnAlign.h"
 #include "gtnBounds.h"
 #include "gtnCommands.h"
 #include "gtnCompare.h"
@@ -15,6 +16,7 @@
 #include "gtnProgress.h"
 #include "gtnReadable.h"
 #include "gtnReaders.h"
+#include "gtnStepChooser.h"
 #include "gtnText.h"
 
 #include "gatunBlockArrays.h"
@@ -57,6 +59,7 @@ struct VerifyOptions
   std::vector<std::string> Originals;
   InputOptions Input;
   bool NoSets = false;
+  bool FillMissing = false;
 };
 
 // Distinct names for messages.
@@ -127,6 +130,8 @@ private:
   std::unique_ptr<Comparison> Values;
   std::unique_ptr<BoundedComparison> Bounded;
   std::vector<std::pair<std::size_t, std::size_t>> Steps; // of both, with the same time
+  std::shared_ptr<const gatun::FileReader> Mesh;          // of the step before
+  bool RolesDiffer = false;                               // at a later step than the first
   Differences Found;
   std::set<std::string> Known; // what was found
 };
@@ -139,6 +144,7 @@ Verification::Verification(const VerifyOptions& options, const Settings& how, Fi
 {
   InputOptions input = options.Input;
   input.Skip.clear(); // the file may well be without
+  input.Steps.reset();
   this->Packed = std::make_unique<Input>(std::vector{ options.File }, input);
   input = options.Input;
   input.Lost = this->Lost;
@@ -236,11 +242,17 @@ void Verification::CompareStep(std::size_t ofPacked, std::size_t ofOriginal, Pro
   }
   else
   {
+    const bool isFirst = ofOriginal == this->Steps.front().second;
     const auto first = GridOf(a);
-    const auto second = this->WithoutGhosts(GridOf(b), first);
+    const auto second = AlignArrays(this->WithoutGhosts(GridOf(b), first), first,
+      { this->Steps.size() > 1, isFirst, this->Options.FillMissing }, this->RolesDiffer);
     const FileSteps::Place place = this->File.Find(ofPacked);
-    differences = this->Bounded->Compare(GridView(first), GridView(second), *place.Mesh, place.Step,
-      ofOriginal == this->Steps.front().second);
+    if (std::exchange(this->Mesh, place.Mesh) != place.Mesh)
+    {
+      this->Bounded->BeginMesh();
+    }
+    differences = this->Bounded->Compare(
+      GridView(first), GridView(second), *place.Mesh, place.Step, isFirst);
   }
   CheckInterrupt();
   for (const std::string& difference : differences)
@@ -284,11 +296,13 @@ void Verification::ReportIdentical() const
     ? fmt::format(" but for bounded errors, of which the largest is {:.6f} of its bound",
         this->Bounded->GetWorst())
     : "";
-  fmt::print("{}: identical to {}{}{}{}{}{}\n", this->Options.File, this->Original->GetName(),
+  fmt::print("{}: identical to {}{}{}{}{}{}{}\n", this->Options.File, this->Original->GetName(),
     files > 1 ? fmt::format(" and {} more", files - 1) : "",
     this->Steps.size() > 1 ? fmt::format(", {} time steps", this->Steps.size()) : "",
     alike > 0 ? fmt::format(", up to {} indistinguishable points", GroupDigits(alike)) : "", joins,
-    errors);
+    errors,
+    this->RolesDiffer ? " but for the active arrays, which are those of the first step at all steps"
+                      : "");
 }
 
 void Verification::Run()
@@ -389,6 +403,10 @@ void AddVerify(CLI::App& app, Settings& settings)
     "of them are missing unless the file was packed with --sets)");
   AddNoGhosts(command, options->Input,
     "Compare without the ghost cells of ORIGINAL, which was packed in pieces or with --no-ghosts");
+  AddSteps(command, options->Input.Steps)
+    ->description("Compare with these time steps of ORIGINAL, as it was packed with --steps");
+  command->add_flag("--fill-missing", options->FillMissing,
+    "Fill in the arrays that steps of ORIGINAL lack, which was packed with --fill-missing");
   command->add_flag("--split-cells", options->Input.Split,
     "Split the cells of ORIGINAL, which was packed with --split-cells");
   command->add_flag("--triangles", options->Input.Triangles,

@@ -150,7 +150,14 @@ void GridPieces::SortArrays(Input& input, std::size_t number) const
   for (const auto& description : this->Arrays)
   {
     const auto found = std::find_if(input.Arrays.begin(), input.Arrays.end(),
-      [&](const BridgedArray& array) { return array.Description == description; });
+      [&](const BridgedArray& array)
+      {
+        // Roles and names of components are those of the first piece.
+        ArrayDescription own = array.Description;
+        own.AttributeRoles = description.AttributeRoles;
+        own.ComponentNames = description.ComponentNames;
+        return own == description;
+      });
     if (found == input.Arrays.end())
     {
       ThrowInvalid(NameOf(number) + " has no " +

@@ -160,6 +160,13 @@ std::string BoundedComparison::CheckArray(
 }
 
 //------------------------------------------------------------------------------
+void BoundedComparison::BeginMesh()
+{
+  this->Others.BeginMesh();
+  this->AreValuesEqual = true;
+}
+
+//------------------------------------------------------------------------------
 Differences BoundedComparison::Compare(GridView packed, GridView original,
   const gatun::FileReader& mesh, std::size_t step, bool withRoles)
 {

@@ -34,8 +34,11 @@ public:
   {
   }
 
+  /** Begins with another mesh, whose points and cells have an order of their own. */
+  void BeginMesh();
+
   /** Compares a step. mesh: of the file; step: among those of the mesh. withRoles: as
-   * Comparison::MatchArrays. Values are compared as long as all those before were equal. */
+   * Comparison::MatchArrays. Values are compared as long as all those of the mesh before were equal. */
   Differences Compare(GridView packed, GridView original, const gatun::FileReader& mesh,
     std::size_t step, bool withRoles);
 
@@ -58,7 +61,7 @@ private:
     const Pair& pair, const gatun::FileReader& mesh, std::size_t step, bool ofPoints);
 
   Comparison& Others;
-  bool AreValuesEqual = true; // so far
+  bool AreValuesEqual = true; // of the mesh so far
   bool IsBounded = false;
   double Worst = 0;
 };

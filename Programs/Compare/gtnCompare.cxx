@@ -224,6 +224,17 @@ Comparison::Comparison(std::string first, std::string second, std::uint8_t keptO
 }
 
 //------------------------------------------------------------------------------
+void Comparison::BeginMesh()
+{
+  this->Indistinguishable = this->GetIndistinguishablePoints();
+  for (Side* side : { &this->First, &this->Second })
+  {
+    side->Points.clear();
+    side->Cells.clear();
+  }
+}
+
+//------------------------------------------------------------------------------
 std::size_t Comparison::GetIndistinguishablePoints() const
 {
   const std::vector<Hash> sorted = Sorted(this->First.Points);
@@ -235,7 +246,7 @@ std::size_t Comparison::GetIndistinguishablePoints() const
       ? 1
       : 0;
   }
-  return count;
+  return std::max(count, this->Indistinguishable);
 }
 
 //------------------------------------------------------------------------------

@@ -43,6 +43,9 @@ public:
   /** Returns by how many points the second grid of the last step has more. */
   std::size_t GetJoinedPoints() const { return this->JoinedPoints; }
 
+  /** Begins with another mesh, whose points and cells have an order of their own. */
+  void BeginMesh();
+
   /** Compares the numbers of points and cells and the kinds of arrays. Leaves only those arrays
    * that both have, in the same order. withRoles: whether to compare names of components, roles
    * and the name of the points, too. */
@@ -56,7 +59,8 @@ public:
 
   Differences CompareFieldData(const GridView& first, const GridView& second) const;
 
-  /** Returns the number of points that coincide with another one in all values so far. */
+  /** Returns the number of points of a mesh that coincide with another one in all values of its
+   * steps, the largest of all meshes. */
   std::size_t GetIndistinguishablePoints() const;
 
   /** What tells the points or cells of a grid apart after a comparison, or nothing if all orders
@@ -74,7 +78,7 @@ private:
   struct Side
   {
     std::string Name;
-    std::vector<Hash> Points; ///< of the steps so far
+    std::vector<Hash> Points; ///< of the steps of the mesh so far
     std::vector<Hash> Cells;
   };
 
@@ -95,6 +99,7 @@ private:
   std::uint8_t Kept;
   bool MayBeJoined = false;
   std::size_t JoinedPoints = 0;
+  std::size_t Indistinguishable = 0; ///< of the meshes before
 };
 }
 

@@ -5,6 +5,8 @@
 
 #include "gtnFailure.h"
 #include "gtnJson.h"
+#include "gtnMessages.h"
+#include "gtnParse.h"
 #include "gtnReadable.h"
 #include "gtnText.h"
 #include "gtnXMLPieces.h"
@@ -13,10 +15,14 @@
 #include "vtkXMLDataElement.h"
 #include "vtkXMLDataParser.h"
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <map>
+#include <string_view>
 
 namespace gtn
 {
@@ -33,13 +39,33 @@ public:
   {
   }
 
+  // time: as the list has it. Throws Failure if it is not a number as a whole.
+  void Add(std::string time, const std::string& part)
+  {
+    const std::string given = time;
+    time.erase(0, std::min(time.find_first_not_of(" \t\r\n"), time.size()));
+    time.erase(time.find_last_not_of(" \t\r\n") + 1);
+    std::replace_if(
+      time.begin(), time.end(), [](char c) { return c == 'd' || c == 'D'; }, 'e'); // of Fortran
+    const bool hasPlus = time.starts_with('+') && !time.starts_with("+-");
+    const auto number = Parse<double>(std::string_view(time).substr(hasPlus ? 1 : 0));
+    if (!number || !std::isfinite(*number))
+    {
+      throw Failure(this->File,
+        fmt::format("the entry of {} has the time '{}', which is not a finite number",
+          MakePrintableLine(part), MakePrintableLine(given)));
+    }
+    this->Add(*number, part);
+  }
+
   void Add(double time, const std::string& part)
   {
-    if (!std::isfinite(time))
+    std::vector<std::string>& files = this->Files[time + 0.]; // -0 is 0
+    const std::string file = (this->Folder / part).lexically_normal().string();
+    if (std::find(files.begin(), files.end(), file) == files.end())
     {
-      throw Failure(this->File, "has a time that is not finite");
+      files.push_back(file);
     }
-    this->Files[time].push_back((this->Folder / part).string());
   }
 
   std::vector<SeriesStep> Get() const
@@ -76,6 +102,8 @@ std::vector<SeriesStep> ReadCollection(const std::string& file)
   }
 
   Steps steps(file);
+  std::string timed; // an entry with a time, and one without
+  std::string untimed;
   for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i)
   {
     vtkXMLDataElement* element = collection->GetNestedElement(i);
@@ -88,9 +116,15 @@ std::vector<SeriesStep> ReadCollection(const std::string& file)
     {
       throw Failure(file, "has an entry without a file");
     }
-    double time = 0;
-    element->GetScalarAttribute("timestep", time);
-    steps.Add(time, part);
+    const char* const time = element->GetAttribute("timestep");
+    (time ? timed : untimed) = part;
+    if (!timed.empty() && !untimed.empty())
+    {
+      throw Failure(file,
+        fmt::format("the entry of {} has no time, and that of {} has one",
+          MakePrintableLine(untimed), MakePrintableLine(timed)));
+    }
+    steps.Add(std::string(time ? time : "0"), part);
   }
   return steps.Get();
 }
@@ -113,7 +147,8 @@ std::vector<SeriesStep> ReadSeries(const std::string& file)
     }
     if (!entry["time"].isNumeric())
     {
-      throw Failure(file, "has an entry without a time");
+      throw Failure(
+        file, "the entry of " + MakePrintableLine(entry["name"].asString()) + " has no time");
     }
     steps.Add(entry["time"].asDouble(), entry["name"].asString());
   }
@@ -131,6 +166,21 @@ std::vector<double> TimesOf(const std::vector<SeriesStep>& steps)
     times.push_back(step.Time);
   }
   return times;
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeUnequal(const std::vector<SeriesStep>& steps)
+{
+  const auto other = std::find_if(steps.begin(), steps.end(),
+    [&](const SeriesStep& step) { return step.Files.size() != steps.front().Files.size(); });
+  if (other == steps.end())
+  {
+    return {};
+  }
+  const auto [fewer, more] = std::minmax(steps.front(), *other,
+    [](const SeriesStep& a, const SeriesStep& b) { return a.Files.size() < b.Files.size(); });
+  return fmt::format("{} files at time {}, and {} at time {}", more.Files.size(),
+    DescribeNumber(more.Time), fewer.Files.size(), DescribeNumber(fewer.Time));
 }
 
 //------------------------------------------------------------------------------

@@ -24,7 +24,10 @@ std::vector<double> TimesOf(const std::vector<SeriesStep>& steps);
 /** Whether a file is a list of time steps (.pvd, .series), by its extension. */
 bool IsFileList(const std::string& file);
 
-/** The steps that it lists, by ascending time. Throws Failure. */
+/** "2 files at time 1, and 1 at time 0", or nothing if all steps have as many. */
+std::string DescribeUnequal(const std::vector<SeriesStep>& steps);
+
+/** The steps that it lists, by ascending time. A file counts once per time. Throws Failure. */
 std::vector<SeriesStep> ReadFileList(const std::string& file);
 }
 

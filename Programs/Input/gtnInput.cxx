@@ -17,6 +17,7 @@
 #include "gtnSeries.h"
 #include "gtnSpoolSource.h"
 #include "gtnSpooledMesh.h"
+#include "gtnStepChooser.h"
 #include "gtnText.h"
 #include "gtnXMLMesh.h"
 
@@ -152,10 +153,12 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
   {
     RequireSameKind(files);
     steps = StepsOfFiles(files, options);
+    this->ChooseListed();
   }
   else if (IsFileList(this->Name))
   {
     steps = ReadFileList(this->Name);
+    this->ChooseListed();
     DropMissing(this->Name, options, steps);
     for (SeriesStep& step : steps)
     {
@@ -234,6 +237,7 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
     this->Algorithm = preparer;
   }
   this->FindTimes();
+  this->ChooseOwn();
   if (options.NamesSets && !options.Sets && files.size() == 1)
   {
     this->NameSets();
@@ -277,6 +281,44 @@ void Input::FindTimes()
   {
     this->Times.assign(info->Get(key), info->Get(key) + info->Length(key));
   }
+}
+
+//------------------------------------------------------------------------------
+// Of the steps that were listed, those that are wanted.
+void Input::ChooseListed()
+{
+  if (!this->Options.Steps)
+  {
+    return;
+  }
+  std::vector<SeriesStep> chosen;
+  for (const std::size_t step : ChooseSteps(*this->Options.Steps, this->Steps.size(), this->Name))
+  {
+    chosen.push_back(this->Steps[step]);
+  }
+  this->Steps = chosen;
+  this->Options.Steps.reset();
+}
+
+//------------------------------------------------------------------------------
+// The same for those of a reader.
+void Input::ChooseOwn()
+{
+  if (!this->Options.Steps)
+  {
+    return;
+  }
+  std::vector<double> chosen;
+  for (const std::size_t step : ChooseSteps(*this->Options.Steps, this->Times.size(), this->Name))
+  {
+    chosen.push_back(this->Times[step]);
+  }
+  vtkNew<StepChooser> chooser;
+  chooser->SetTimes(chosen);
+  chooser->SetInputConnection(this->Algorithm->GetOutputPort());
+  this->Algorithm = chooser;
+  this->Options.Steps.reset();
+  this->FindTimes();
 }
 
 //------------------------------------------------------------------------------
@@ -379,7 +421,8 @@ std::size_t Input::GetNumberOfParts() const
   {
     if (step.Files.size() != this->Steps.front().Files.size())
     {
-      throw Failure(this->Name, "the time steps have different numbers of files");
+      throw Failure(this->Name,
+        "the time steps have different numbers of files: " + DescribeUnequal(this->Steps));
     }
   }
   return this->Steps.empty() ? 1 : this->Steps.front().Files.size();

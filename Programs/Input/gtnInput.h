@@ -91,6 +91,8 @@ public:
 private:
   void FindTimes();
   void NameSets() const;
+  void ChooseListed();
+  void ChooseOwn();
 
   std::string Name;
   InputOptions Options;

@@ -3,13 +3,23 @@
 #ifndef gtnInputOptions_h
 #define gtnInputOptions_h
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace gtn
 {
+/** Some of the time steps. */
+struct StepRange
+{
+  std::size_t First = 0;
+  std::optional<std::size_t> Last; ///< that is taken, too; none: the last one of all
+  std::size_t Stride = 1;
+};
+
 /** Which parts of a mesh are read, and how. */
 struct InputOptions
 {
@@ -26,6 +36,7 @@ struct InputOptions
   bool InPieces = false;           ///< the files of a .pvtu or .pvd file are read one by one
   bool SkipMissing = false;        ///< go on without files that a list names and that are missing
   bool KeepApart = false;          ///< with InPieces: do not join points of different files
+  std::optional<StepRange> Steps;  ///< only some of the time steps
   bool Quiet = false;              ///< no warnings
 
   /** Receives what is left out though no option says so, in place of warnings. May be null. */

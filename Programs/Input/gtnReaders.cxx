@@ -7,6 +7,7 @@
 #include "gtnFileKind.h"
 #include "gtnFormats.h"
 #include "gtnGridReader.h"
+#include "gtnLegacyReader.h"
 #include "gtnLibrary.h"
 #include "gtnMeshio.h"
 #include "gtnMessages.h"
@@ -24,7 +25,6 @@
 
 #include "vtkCompositeDataGeometryFilter.h"
 #include "vtkGLTFReader.h"
-#include "vtkGenericDataObjectReader.h"
 #include "vtkGenericEnSightReader.h"
 #include "vtkMetaImageReader.h"
 #include "vtkNIFTIImageReader.h"
@@ -82,7 +82,7 @@ vtkSmartPointer<vtkAlgorithm> MakeGLTF(const std::string& file)
 
 vtkSmartPointer<vtkAlgorithm> MakeLegacy(const std::string& file)
 {
-  vtkNew<vtkGenericDataObjectReader> reader;
+  vtkNew<LegacyReader> reader;
   reader->SetFileName(file.c_str());
   reader->ReadAllScalarsOn();
   reader->ReadAllVectorsOn();

@@ -6,6 +6,7 @@
 #include "gtnBlockList.h"
 #include "gtnFailure.h"
 #include "gtnFileList.h"
+#include "gtnFileOrder.h"
 #include "gtnMessages.h"
 #include "gtnPartReader.h"
 #include "gtnPrepare.h"
@@ -15,10 +16,12 @@
 #include "gtnTimes.h"
 #include "gtnXMLMesh.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -28,9 +31,8 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
-#include <limits>
+#include <optional>
 
 namespace gtn
 {
@@ -39,11 +41,20 @@ vtkStandardNewMacro(SeriesReader);
 namespace
 {
 
-// NaN if the file does not tell.
-double TimeValueOf(const std::string& file, const InputOptions& options)
+// Nothing if the file does not tell.
+std::optional<double> TimeValueOf(const std::string& file, const InputOptions& options)
 {
+  const std::string extension = ExtensionOf(file);
+  for (const char* const timeless : { ".stl", ".ply", ".obj", ".glb", ".gltf" })
+  {
+    if (extension == timeless)
+    {
+      CheckReadable(file);
+      return {};
+    }
+  }
   vtkSmartPointer<vtkDataObject> data;
-  if (ExtensionOf(file) == ".vtu")
+  if (extension == ".vtu")
   {
     data = ReadXMLSummary(file).Grid;
   }
@@ -57,8 +68,8 @@ double TimeValueOf(const std::string& file, const InputOptions& options)
     data = reader->GetOutputDataObject(0);
   }
   vtkDataArray* time = data->GetFieldData()->GetArray("TimeValue");
-  return time && time->GetNumberOfValues() == 1 ? time->GetComponent(0, 0)
-                                                : std::numeric_limits<double>::quiet_NaN();
+  return time && time->GetNumberOfValues() == 1 ? std::optional(time->GetComponent(0, 0))
+                                                : std::nullopt;
 }
 
 } // anonymous namespace
@@ -67,30 +78,21 @@ double TimeValueOf(const std::string& file, const InputOptions& options)
 std::vector<SeriesStep> StepsOfFiles(
   const std::vector<std::string>& files, const InputOptions& options)
 {
-  std::vector<SeriesStep> steps;
-  bool hasTimes = true;
+  std::vector<TimedFile> timed;
   for (const std::string& file : files)
   {
-    SeriesStep step;
-    step.List = file;
-    step.Files = options.InPieces ? FindParts(file, options) : std::vector<std::string>{ file };
-    if (hasTimes)
-    {
-      step.Time = TimeValueOf(step.Files.front(), options);
-      hasTimes = std::isfinite(step.Time) && (steps.empty() || steps.back().Time < step.Time);
-    }
-    else
-    {
-      CheckReadable(file);
-    }
-    steps.push_back(step);
+    timed.push_back({ file,
+      TimeValueOf(options.InPieces ? FindParts(file, options).front() : file, options) });
   }
-  if (!hasTimes)
+  std::vector<SeriesStep> steps;
+  for (const TimedFile& file : OrderFiles(timed, options.Quiet))
   {
-    for (std::size_t i = 0; i < steps.size(); ++i)
-    {
-      steps[i].Time = static_cast<double>(i);
-    }
+    SeriesStep step;
+    step.Time = *file.Time;
+    step.List = file.File;
+    step.Files =
+      options.InPieces ? FindParts(file.File, options) : std::vector<std::string>{ file.File };
+    steps.push_back(step);
   }
   return steps;
 }
@@ -176,6 +178,7 @@ int SeriesReader::RequestData(vtkInformation* vtkNotUsed(request),
   if (!this->Times.empty())
   {
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.Time);
+    output->GetInformation()->Set(vtkCompositeDataSet::NAME(), FileOf(step.Files.front()).c_str());
   }
   return 1;
 }

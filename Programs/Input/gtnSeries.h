@@ -18,8 +18,8 @@
 
 namespace gtn
 {
-/** Files as steps: at the times in their field data (TimeValue) if these ascend, or else 0, 1, 2
- * and so on. Throws Failure. */
+/** Files as steps, in the order of OrderFiles by the times in their field data (TimeValue). Throws
+ * Failure. */
 std::vector<SeriesStep> StepsOfFiles(
   const std::vector<std::string>& files, const InputOptions& options);
 

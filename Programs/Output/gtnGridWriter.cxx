@@ -15,12 +15,16 @@
 #include "vtkXMLUnstructuredGridWriter.h"
 #include "vtkXMLWriterBase.h"
 
+#include <fmt/core.h>
+
+#include <cstddef>
+
 namespace gtn
 {
 namespace
 {
 
-void WriteXML(
+void WriteXMLGrid(
   vtkUnstructuredGrid* grid, const std::string& file, Compressor compressor, Progress& progress)
 {
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
@@ -36,7 +40,7 @@ void WriteXML(
   CheckWritten(writer, good, file);
 }
 
-void WriteLegacy(vtkUnstructuredGrid* grid, const std::string& file, Progress& progress)
+void WriteLegacyGrid(vtkUnstructuredGrid* grid, const std::string& file, Progress& progress)
 {
   vtkNew<vtkUnstructuredGridWriter> writer;
   writer->SetInputData(grid);
@@ -46,6 +50,16 @@ void WriteLegacy(vtkUnstructuredGrid* grid, const std::string& file, Progress& p
   const bool good = writer->Write() != 0;
   CheckInterrupt();
   CheckWritten(writer, good, file);
+}
+
+std::string EscapeXML(const std::string& text)
+{
+  std::string escaped;
+  for (const char c : text)
+  {
+    escaped += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
+  }
+  return escaped;
 }
 
 } // anonymous namespace
@@ -71,6 +85,23 @@ void SetCompressor(vtkXMLWriterBase* writer, Compressor compressor)
 }
 
 //------------------------------------------------------------------------------
+void WriteCollection(
+  const std::string& file, const std::vector<std::string>& parts, const std::vector<double>& times)
+{
+  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n"
+                     "  <Collection>\n";
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n",
+      DescribeNumber(times[i]), EscapeXML(FileOf(parts[i])));
+  }
+  text += "  </Collection>\n</VTKFile>\n";
+  TemporaryFile temporary(file);
+  WriteBytes(temporary.GetName(), text);
+  temporary.Commit();
+}
+
+//------------------------------------------------------------------------------
 void WriteGrid(
   vtkUnstructuredGrid* grid, const std::string& file, Compressor compressor, Progress& progress)
 {
@@ -79,11 +110,11 @@ void WriteGrid(
   {
     if (ExtensionOf(file) == ".vtk")
     {
-      WriteLegacy(grid, temporary.GetName(), progress);
+      WriteLegacyGrid(grid, temporary.GetName(), progress);
     }
     else
     {
-      WriteXML(grid, temporary.GetName(), compressor, progress);
+      WriteXMLGrid(grid, temporary.GetName(), compressor, progress);
     }
   }
   catch (const Failure& failure)

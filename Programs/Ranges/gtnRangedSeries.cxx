@@ -21,6 +21,8 @@ namespace gtn
 namespace
 {
 
+const char* const HowToFillSeries = " (--fill-missing fills it in, without --memory and --pieces)";
+
 std::size_t SizeOfPoint(vtkUnstructuredGrid* grid)
 {
   return grid->GetPoints()
@@ -64,20 +66,42 @@ void RangedSeries::MatchArrays(std::size_t step)
   {
     vtkFieldData* first = this->Steps.front().Template->GetAttributesAsFieldData(association);
     vtkFieldData* now = here.Template->GetAttributesAsFieldData(association);
-    bool isSame = first->GetNumberOfArrays() == now->GetNumberOfArrays();
-    for (int i = 0; i < first->GetNumberOfArrays() && isSame; ++i)
+    const std::string what = association == vtkDataObject::POINT ? "point" : "cell";
+    const auto title = [&](vtkAbstractArray* array)
+    {
+      return "the " + what + " array '" +
+        MakePrintableLine(array->GetName() ? array->GetName() : "") + "'";
+    };
+    for (int i = 0; i < first->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* array = first->GetAbstractArray(i);
       int number = -1;
       vtkAbstractArray* other =
         array->GetName() ? now->GetAbstractArray(array->GetName(), number) : nullptr;
-      isSame = other && other->GetDataType() == array->GetDataType() &&
-        other->GetNumberOfComponents() == array->GetNumberOfComponents();
+      if (!other)
+      {
+        this->Fail(step, title(array) + " of the first step is missing" + HowToFillSeries);
+      }
+      if (other->GetDataType() != array->GetDataType() ||
+        other->GetNumberOfComponents() != array->GetNumberOfComponents())
+      {
+        const auto kind = [](vtkAbstractArray* one)
+        {
+          return std::string(one->GetDataTypeAsString()) + " with " +
+            std::to_string(one->GetNumberOfComponents()) + " components";
+        };
+        this->Fail(
+          step, title(array) + " is " + kind(other) + ", and at the first step " + kind(array));
+      }
       here.Arrays[association].push_back(number);
     }
-    if (!isSame)
+    for (int i = 0; i < now->GetNumberOfArrays(); ++i)
     {
-      this->Fail(step, "the point or cell arrays change");
+      vtkAbstractArray* array = now->GetAbstractArray(i);
+      if (!array->GetName() || !first->HasArray(array->GetName()))
+      {
+        this->Fail(step, title(array) + " appears" + HowToFillSeries);
+      }
     }
   }
 }

@@ -287,6 +287,7 @@ def write(
     layers: str | tuple[str, int] | None = None,
     boundary: bool = False,
     split_cells: bool = False,
+    fill_missing: bool = False,
     times: Iterable[float] | bool | None = None,
     chunk_size: int = 0,
     key_step_interval: int = 8,
@@ -328,6 +329,8 @@ def write(
             and the largest number of layers, 0 (automatic) to 4096.
         boundary: whether to store the boundary of the mesh, too.
         split_cells: whether to write tetrahedra in place of other cells.
+        fill_missing: whether arrays of a series may come and go: a mesh without an array of another
+            one gets it, with NaN, or 0 if it is of integers.
         times: for a series, the times of its meshes, ascending (default: 0, 1, 2, ...); for an
             algorithm that has time steps, True to write all of them.
         chunk_size: largest number of tetrahedra in a chunk, 64 to 1048576, or 0 (automatic).
@@ -365,6 +368,7 @@ def write(
     _choose_arrays(writer, arrays)
     _set_tolerances(writer, tolerances)
     writer.SetFastArrays(bool(fast_arrays))
+    writer.SetFillMissingArrays(bool(fill_missing))
     _set_point_tolerance(writer, point_tolerance)
     writer.SetKeepOrder(_find_order(keep_order))
     writer.SetHierarchy(bool(hierarchy or levels))

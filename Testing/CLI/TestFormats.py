@@ -156,8 +156,8 @@ for content, says in (
     ({"files": []}, "lists no files"),
     ({"files": [{"time": 1}]}, "has an entry without a file"),
     ({"files": [7]}, "has an entry without a file"),
-    ({"files": [{"name": "step0.vtu", "time": "now"}]}, "has an entry without a time"),
-    ({"files": [{"name": "step0.vtu"}]}, "has an entry without a time"),
+    ({"files": [{"name": "step0.vtu", "time": "now"}]}, "the entry of step0.vtu has no time"),
+    ({"files": [{"name": "step0.vtu"}]}, "the entry of step0.vtu has no time"),
     ({"files": [{"name": "missing.vtu", "time": 1}]}, "missing.vtu; gtn pack --skip-missing"),
     ({"files": [{"name": "bad.vtu.series", "time": 1}]}, "cannot be part of another"),
 ):

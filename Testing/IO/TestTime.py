@@ -170,12 +170,55 @@ for make in fewer_arrays, other_type:
     errors = gm.Errors(writer)
     assert writer.Write() == 0
     assert writer.GetErrorCode() == vtkGatunErrorCode.InvalidInputError
-    assert path in str(errors) and "arrays change in time step 3" in str(errors), str(errors)
+    said = "is missing" if make is fewer_arrays else "is float with 1 component"
+    assert path in str(errors) and said in str(errors), str(errors)
+    assert "in time step 3 (time 0.30000000000000004) the cell array 'noise'" in str(errors), str(errors)
     assert open(path, "rb").read() == before
     # The writer is as good as new.
     connect(writer, source_of())
     assert writer.Write() == 1 and gm.statistic(writer, "TimeSteps") == len(TIMES)
     gm.write(step(0), path)
+
+# Arrays may come and go on request: at most one more pass, however many of them.
+calls = []
+
+
+def come_and_go(index):
+    calls.append(index)
+    grid = step(index)
+    if index % 2:
+        grid.GetCellData().RemoveArray("noise")
+    gm.add_array(grid.GetPointData(), np.full(len(points), index), "only%d" % index)
+    return grid
+
+
+writer = write_all(path, source_of(come_and_go), KeepOrder=7, FillMissingArrays=True)
+assert writer.Write() == 1 and calls == list(range(len(TIMES))) * 2, calls
+reader = vtkGatunReader()
+reader.SetFileName(path)
+for index in (0, 1, 7, len(TIMES) - 1):
+    output = output_at(reader, TIMES[index])
+    noise = vtk_to_numpy(output.GetCellData().GetArray("noise"))
+    expected = vtk_to_numpy(step(index).GetCellData().GetArray("noise"))
+    assert np.array_equal(noise, 0 * expected if index % 2 else expected)
+    for other in range(len(TIMES)):
+        values = vtk_to_numpy(output.GetPointData().GetArray("only%d" % other))
+        assert (values == (index if other == index else 0)).all()
+
+
+# An empty first step takes no part in the kinds of arrays.
+def begins_empty(index):
+    return gm.make_grid(np.zeros((0, 3)), []) if index in (0, 2) else step(index)
+
+
+assert write_all(path, source_of(begins_empty), KeepOrder=7).Write() == 1
+reader = vtkGatunReader()
+reader.SetFileName(path)
+assert output_at(reader, TIMES[2]).GetNumberOfPoints() == 0
+for index in (1, 3):
+    output = output_at(reader, TIMES[index])
+    assert np.array_equal(vtk_to_numpy(output.GetPointData().GetArray("point")), np.arange(len(points)))
+gm.write(step(0), path)
 
 # Points may change, even in place: the file has them at every step.
 assert write_all(path, source_of(in_place()), KeepOrder=7).Write() == 1
