@@ -251,8 +251,8 @@ void Verification::CompareStep(std::size_t ofPacked, std::size_t ofOriginal, Pro
     {
       this->Bounded->BeginMesh();
     }
-    differences = this->Bounded->Compare(
-      GridView(first), GridView(second), *place.Mesh, place.Step, isFirst);
+    differences =
+      this->Bounded->Compare(GridView(first), GridView(second), *place.Mesh, place.Step, isFirst);
   }
   CheckInterrupt();
   for (const std::string& difference : differences)

@@ -89,7 +89,8 @@ void Align(vtkDataSetAttributes* original, vtkDataSetAttributes* packed, vtkIdTy
       }
       continue;
     }
-    if (place.Fill || tuples == 0 || (place.IsSeries && name == vtkDataSetAttributes::GhostArrayName()))
+    if (place.Fill || tuples == 0 ||
+      (place.IsSeries && name == vtkDataSetAttributes::GhostArrayName()))
     {
       const auto filled =
         gatun::MakeMissingArray(wanted->GetDataType(), wanted->GetNumberOfComponents(), tuples);

@@ -38,7 +38,8 @@ public:
   void BeginMesh();
 
   /** Compares a step. mesh: of the file; step: among those of the mesh. withRoles: as
-   * Comparison::MatchArrays. Values are compared as long as all those of the mesh before were equal. */
+   * Comparison::MatchArrays. Values are compared as long as all those of the mesh before were
+   * equal. */
   Differences Compare(GridView packed, GridView original, const gatun::FileReader& mesh,
     std::size_t step, bool withRoles);
 

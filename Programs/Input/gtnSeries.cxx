@@ -81,8 +81,8 @@ std::vector<SeriesStep> StepsOfFiles(
   std::vector<TimedFile> timed;
   for (const std::string& file : files)
   {
-    timed.push_back({ file,
-      TimeValueOf(options.InPieces ? FindParts(file, options).front() : file, options) });
+    timed.push_back(
+      { file, TimeValueOf(options.InPieces ? FindParts(file, options).front() : file, options) });
   }
   std::vector<SeriesStep> steps;
   for (const TimedFile& file : OrderFiles(timed, options.Quiet))
