@@ -417,7 +417,7 @@ TEST(HostileTables, DescriptionsMustBeKnown)
     };
   };
   // The last array: name 'p', where, type, components, i32, u32, number of names.
-  ExpectRefused("neither points nor cells", setByte(12, 2));
+  ExpectRefused("neither points nor cells", setByte(12, 4)); // 2: it has keys
   ExpectRefused("a value type is unknown", setByte(11, 11));
   ExpectRefused("too many components", setByte(10, 0));
   ExpectRefused("a count is larger", setByte(1, 9));
