@@ -111,6 +111,18 @@ void SeriesArrays::Begin(bool fill, std::function<void(const std::string&)> warn
 }
 
 //------------------------------------------------------------------------------
+void SeriesArrays::Continue(const std::vector<ArrayDescription>& arrays)
+{
+  this->IsContinued = true;
+  this->Arrays.clear();
+  for (const ArrayDescription& array : arrays)
+  {
+    this->Arrays.push_back({ array, true });
+    this->HadTuples[IndexOf(array.Where)] = true;
+  }
+}
+
+//------------------------------------------------------------------------------
 bool SeriesArrays::Learn(const std::vector<BridgedArray>& arrays, const Step& step)
 {
   bool isKnown = true;
@@ -149,11 +161,17 @@ bool SeriesArrays::Learn(const std::vector<BridgedArray>& arrays, const Step& st
 bool SeriesArrays::Add(const BridgedArray& array, const Step& step)
 {
   Known added{ array.Description, HasTuplesOf(array) };
-  if (this->HadTuples[IndexOf(array.Description.Where)])
+  if (this->HadTuples[IndexOf(array.Description.Where)] || this->IsContinued)
   {
     if (!added.HasTuples)
     {
       return false;
+    }
+    if (this->IsContinued)
+    {
+      ThrowInvalid("in " + step.Name + " the " + TitleOf(array.Description) + " (" +
+        KindOf(array.Description) +
+        ") appears, which the file does not have; gtn pack --skip leaves it out");
     }
     if (!this->Fill && !IsGhosts(array.Description))
     {
@@ -208,7 +226,7 @@ bool SeriesArrays::Compare(Known& known, const BridgedArray& array, const Step& 
   {
     return false;
   }
-  if (mine.ComponentNames.empty())
+  if (mine.ComponentNames.empty() && !this->IsContinued)
   {
     mine.ComponentNames = other.ComponentNames;
     return true;

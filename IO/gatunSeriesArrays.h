@@ -49,6 +49,9 @@ public:
   /** fill: whether arrays may come and go. warn: receives what is not kept, once. */
   void Begin(bool fill, std::function<void(const std::string&)> warn);
 
+  /** Lets the steps come after those of a file, to which no arrays are added. */
+  void Continue(const std::vector<ArrayDescription>& arrays);
+
   /** Adds the arrays of a step. Returns whether they were known: if not, steps before have to be
    * written with more arrays. Throws Error(InvalidInput) if they do not fit those before. */
   bool Learn(const std::vector<BridgedArray>& arrays, const Step& step);
@@ -70,6 +73,7 @@ private:
   std::vector<Known> Arrays;
   std::function<void(const std::string&)> Warn;
   bool Fill = false;
+  bool IsContinued = false;
   bool HadTuples[2] = { false, false }; // whether a step had any, by association
 };
 }

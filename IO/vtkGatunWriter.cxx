@@ -92,6 +92,7 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
   os << indent << "LayerSpacing: " << this->LayerSpacing << "\n";
   os << indent << "WriteAllTimeSteps: " << (this->WriteAllTimeSteps ? "On" : "Off") << "\n";
+  os << indent << "Append: " << (this->Append ? "On" : "Off") << "\n";
   os << indent << "FillMissingArrays: " << (this->FillMissingArrays ? "On" : "Off") << "\n";
   os << indent << "SplitCells: " << (this->SplitCells ? "On" : "Off") << "\n";
   os << indent << "PointToleranceKind: " << this->PointToleranceKind << "\n";
@@ -513,6 +514,7 @@ void vtkGatunWriter::WriteStep(vtkDataObject* input)
     self.Warn("integer coordinates are written as double");
   }
   std::vector<gatun::BridgedArray> arrays = self.SelectArrays(grid);
+  self.BeginAppending();
   if (!self.ArrangeArrays(grid, input, arrays))
   {
     this->UpdateProgress(this->GetProgress());

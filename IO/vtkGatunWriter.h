@@ -299,6 +299,19 @@ public:
 
   ///@{
   /**
+   * Whether the time steps are added to the file, if it exists. It has to have time and the same
+   * arrays, and its last time has to be before theirs. KeepOrder, ChunkSize and KeyStepInterval
+   * are then those of the file. Its bytes are copied; meshes that are in the file already, written
+   * with the same options, are stored once. Not with NumberOfPieces or several processes.
+   * Default: off.
+   */
+  vtkSetMacro(Append, bool);
+  vtkGetMacro(Append, bool);
+  vtkBooleanMacro(Append, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether arrays may come and go with WriteAllTimeSteps: a time step that does not have an array
    * of another one gets it, with NaN, or 0 if it is of integers. No effect with NumberOfPieces or
    * several processes. Default: off.
@@ -427,6 +440,7 @@ protected:
   int LayerSpacing = LAYERS_HISTOGRAM;
   bool WriteAllTimeSteps = false;
   bool FillMissingArrays = false;
+  bool Append = false;
   bool SplitCells = false;
   int PointToleranceKind = TOLERANCE_NONE;
   double PointTolerance = 0;

@@ -20,6 +20,7 @@
 #include "vtkInformationStringKey.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtksys/SystemTools.hxx"
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
@@ -169,7 +170,7 @@ gatun::MergeTree vtkGatunWriter::vtkInternals::BuildTree(vtkUnstructuredGrid* gr
 {
   const auto progress = [this](double fraction)
   {
-    if (!this->File) // progress does not go back for other meshes
+    if (this->Meshes.empty()) // progress does not go back for other meshes
     {
       this->Owner->UpdateProgress(PartOfTree * fraction);
     }
@@ -254,7 +255,7 @@ bool vtkGatunWriter::vtkInternals::UseMesh(vtkUnstructuredGrid* grid,
   this->Points += mesh->Mesh.Points;
   this->Cells += mesh->Mesh.Cells;
   WrittenMesh added = this->MakeMesh(std::move(mesh), cellHash);
-  if (!this->File)
+  if (this->Meshes.empty())
   {
     added.Tree = std::move(this->FirstTree);
   }
@@ -273,7 +274,8 @@ bool vtkGatunWriter::vtkInternals::UseMesh(vtkUnstructuredGrid* grid,
   else
   {
     added.Number = this->File->AddMesh(added.Mesh->Mesh, options, progress);
-    this->Meshes.resize(1); // the mesh that was added before is complete
+    // The mesh that was added before is complete, and so are those of a file.
+    this->Meshes.resize(this->IsAppending ? 0 : 1);
   }
   this->Meshes.push_back(std::move(added));
   return true;
@@ -300,6 +302,19 @@ bool vtkGatunWriter::vtkInternals::UseRemaining(const gatun::BridgedMesh& mesh)
     }
   }
   return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunWriter::vtkInternals::BeginAppending()
+{
+  if (!this->Owner->Append || this->File || !vtksys::SystemTools::FileExists(this->Owner->FileName))
+  {
+    return;
+  }
+  this->File =
+    std::make_unique<gatun::FileWriter>(gatun::FileWriter::Append(), this->Owner->FileName);
+  this->Arrays.Continue(this->File->GetArrays());
+  this->IsAppending = true;
 }
 
 //------------------------------------------------------------------------------
@@ -402,6 +417,11 @@ void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
 {
   this->PieceCount = pieces;
   const vtkGatunWriter* owner = this->Owner;
+  if (owner->Append)
+  {
+    gatun::ThrowInvalid("steps are added to a file from the whole mesh, in one piece and one "
+                        "process");
+  }
   if (owner->Hierarchy || !owner->LayerArray.empty())
   {
     gatun::ThrowInvalid("a hierarchy or layers need the whole mesh in one piece and one process; "

@@ -61,6 +61,9 @@ public:
   // The mesh as some of the cells of one that was written, with the file prepared for it.
   bool UseRemaining(const gatun::BridgedMesh& mesh);
 
+  // Opens the file that steps are added to, if there is one.
+  void BeginAppending();
+
   // Puts the arrays of a step into the order of the file. Returns false if the file has to have
   // more, and will be begun once more; the rest of the steps is then looked at before.
   bool ArrangeArrays(
@@ -118,6 +121,7 @@ public:
   std::vector<WrittenMesh> Meshes;            // the first one and the one that was added last
   std::optional<gatun::FoundCells> Remaining; // if the step has some cells of one of them only
   std::unique_ptr<gatun::FileWriter> File;
+  bool IsAppending = false;
   gatun::SeriesArrays Arrays;
   bool LooksAhead = false;                     // for more arrays in the steps to come
   bool PointsMove = false;                     // as a step has told
@@ -153,6 +157,7 @@ public:
     this->IsTogether = false;
     this->Input = nullptr;
     this->File.reset();
+    this->IsAppending = false;
     this->Meshes.clear();
     this->Remaining.reset();
     this->FirstTree.reset();

@@ -69,6 +69,7 @@ struct PackOptions
   std::vector<std::string> Tolerances;       ///< of arrays, as given
   bool FastArrays = false;
   bool FillMissing = false;
+  bool Append = false;
   PieceOptions Pieces;
 };
 
@@ -206,7 +207,7 @@ void Pack(const PackOptions& options, const Settings& settings)
   }
   writer->SetFastArrays(options.FastArrays);
   Input input(options.In, options.Input);
-  CheckWritable(options.Out, options.Overwrite);
+  CheckWritable(options.Out, options.Overwrite || options.Append);
 
   writer->SetFileName(options.Out.c_str());
   writer->SetKeepOrder(OrderOf(options.KeepOrder));
@@ -214,6 +215,7 @@ void Pack(const PackOptions& options, const Settings& settings)
   writer->SetKeyStepInterval(options.KeyStepInterval);
   writer->WriteAllTimeStepsOn();
   writer->SetFillMissingArrays(options.FillMissing);
+  writer->SetAppend(options.Append);
   writer->SetHierarchy(options.Hierarchy || options.Levels > 0);
   writer->SetLevels(options.Levels);
   writer->SetWriteBoundary(options.Boundary);
@@ -252,12 +254,19 @@ void AddPack(CLI::App& app, Settings& settings)
     "  gtn pack run_0.vtu run_1.vtu run_2.vtu run.gtn\n"
     "  gtn pack run.pvd run.gtn\n"
     "  gtn pack --steps 0:100:10 run.e run.gtn\n"
+    "  gtn pack --append run_3.vtu run.gtn\n"
     "  gtn pack --point-tolerance abs:1e-6 surface.stl surface.gtn\n"
     "  gtn pack --tolerance pressure=abs:0.01 --tolerance '*=rel:1e-4' mesh.vtu mesh.gtn\n"
     "  gtn pack --memory 2000 --spill /scratch large.vtu large.gtn\n"
     "  gtn pack -f crash.e crash.gtn\n"
     "  gtn pack --sets crash.e crash.gtn");
-  AddForce(command, options->Overwrite);
+  auto* const force = AddForce(command, options->Overwrite);
+  command
+    ->add_flag("--append", options->Append,
+      "Add the time steps to the .gtn file, if it exists. They have to be later than its last one, "
+      "and to have the same arrays. Kept order, chunk size and key steps are those of the file; "
+      "meshes that do not change are stored once if the other options are the same, too")
+    ->excludes(force);
   AddArrays(command, options->Input);
   AddSkip(command, options->Input, "Leave out these point and cell arrays");
   AddSkipMissing(command, options->Input);
@@ -366,9 +375,10 @@ void AddPack(CLI::App& app, Settings& settings)
         throw UsageError("--keep-apart needs --pieces or --memory: a mesh that is read as a whole "
                          "keeps all points");
       }
-      if (options->FillMissing && options->Input.InPieces)
+      if ((options->FillMissing || options->Append) && options->Input.InPieces)
       {
-        throw UsageError("--fill-missing needs the whole mesh, without --pieces and --memory");
+        throw UsageError((options->Append ? "--append" : "--fill-missing") +
+          std::string(" needs the whole mesh, without --pieces and --memory"));
       }
       options->Out = options->In.back();
       options->In.pop_back();

@@ -252,7 +252,7 @@ void Verification::CompareStep(std::size_t ofPacked, std::size_t ofOriginal, Pro
       this->Bounded->BeginMesh();
     }
     differences =
-      this->Bounded->Compare(GridView(first), GridView(second), *place.Mesh, place.Step, isFirst);
+      this->Bounded->Compare(GridView(first), GridView(second), *place.Mesh, place.Step);
   }
   CheckInterrupt();
   for (const std::string& difference : differences)

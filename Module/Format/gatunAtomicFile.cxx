@@ -73,6 +73,17 @@ AtomicFile::AtomicFile(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+AtomicFile::AtomicFile(const std::string& path, const FileHandle& replaced)
+  : AtomicFile(path, Naming::AtCommit)
+{
+  if (::fstat(replaced.GetDescriptor(), &this->Replaced) != 0)
+  {
+    this->Fail(errno);
+  }
+  this->CheckReplaced();
+}
+
+//------------------------------------------------------------------------------
 AtomicFile::AtomicFile(const std::string& path, Naming naming)
   : Path(path)
   , Target(path)
@@ -156,6 +167,23 @@ void AtomicFile::CheckTarget()
   {
     this->Target = real;
     std::free(real);
+  }
+}
+
+//------------------------------------------------------------------------------
+void AtomicFile::CheckReplaced() const
+{
+  struct stat now
+  {
+  };
+  const struct stat& then = this->Replaced;
+  if (then.st_nlink > 0 &&
+    (::stat(this->Target.c_str(), &now) != 0 || now.st_dev != then.st_dev ||
+      now.st_ino != then.st_ino || now.st_size != then.st_size ||
+      now.st_mtim.tv_sec != then.st_mtim.tv_sec || now.st_mtim.tv_nsec != then.st_mtim.tv_nsec))
+  {
+    throw Error(ErrorCode::CannotWrite,
+      { .Path = this->Path, .What = "another program has changed the file meanwhile; it is kept" });
   }
 }
 
@@ -310,6 +338,7 @@ void AtomicFile::Commit()
   {
     this->Fail(errno);
   }
+  this->CheckReplaced();
   if (this->Temporary.empty())
   {
     if (const int error = this->Link())

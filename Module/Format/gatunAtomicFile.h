@@ -11,6 +11,8 @@
 #include <span>
 #include <string>
 
+#include <sys/stat.h>
+
 namespace gatun
 {
 /**
@@ -33,6 +35,10 @@ class GATUN_EXPORT AtomicFile
 {
 public:
   explicit AtomicFile(const std::string& path);
+
+  /** A file that replaces one that is open. Commit fails if another program has changed or replaced
+   * that file since. */
+  AtomicFile(const std::string& path, const FileHandle& replaced);
 
   /** A file that other processes write, too: the temporary file always has a name. */
   static AtomicFile MakeCommon(const std::string& path);
@@ -86,6 +92,7 @@ private:
   AtomicFile(const std::string& path, Naming naming);
 
   void CheckTarget();
+  void CheckReplaced() const;
   void Create(Naming naming);
   int CreateUnnamed(::mode_t mode);
   int CreateNamed(::mode_t mode);
@@ -93,10 +100,11 @@ private:
   [[noreturn]] void Fail(int systemError) const;
 
   std::string Path;
-  std::string Target;       // the path without symbolic links
-  std::string Temporary;    // the current name, if any
-  bool Replaces = false;    // whether the target exists
-  ::mode_t Permissions = 0; // of the existing target
+  std::string Target;        // the path without symbolic links
+  std::string Temporary;     // the current name, if any
+  bool Replaces = false;     // whether the target exists
+  struct stat Replaced = {}; // if it must be a certain file, which has links then
+  ::mode_t Permissions = 0;  // of the existing target
   FileHandle Handle;
   std::uint64_t Size = 0;
 };

@@ -50,6 +50,7 @@ constexpr FourCC SectionBoundary = MakeFourCC("BNDY");  // the boundary: a file 
 constexpr FourCC SectionGrid = MakeFourCC("GRID");      // another mesh of the series: a file
 constexpr FourCC SectionTime = MakeFourCC("TIME");      // the mesh of each time step
 constexpr FourCC SectionLive = MakeFourCC("LIVE");      // the cells that some time steps have
+constexpr FourCC SectionFree = MakeFourCC("FREE");      // bytes that mean nothing any more
 constexpr FourCC SectionDirectory = MakeFourCC("DIRY"); // positions of the sections
 
 constexpr FourCC SectionBlocks = MakeFourCC("BLKS"); // streams of blocks of a volume
@@ -67,7 +68,7 @@ struct ContainerKind
 inline constexpr std::array MeshSections{ SectionMeta, SectionMesh, SectionTable, SectionPages,
   SectionValues, SectionStep, SectionTree, SectionMerges, SectionTreeStep, SectionLevel,
   SectionDependencies, SectionLayers, SectionCells, SectionSurface, SectionBoundary, SectionGrid,
-  SectionTime, SectionLive, SectionDirectory };
+  SectionTime, SectionLive, SectionFree, SectionDirectory };
 inline constexpr ContainerKind MeshContainer{ ".gtn", FileMagic, TrailerMagic, GATUN_FORMAT_VERSION,
   MeshSections };
 

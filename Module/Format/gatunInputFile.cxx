@@ -174,7 +174,8 @@ Bytes InputFile::Read(const StreamRef& stream, const std::string& what) const
 }
 
 //------------------------------------------------------------------------------
-void InputFile::CheckSum(const StreamRef& stream, const std::string& what) const
+void InputFile::ReadInParts(const StreamRef& stream, const std::string& what,
+  const std::function<void(std::span<const std::uint8_t>)>& use) const
 {
   this->CheckInside(stream, what);
   RunningChecksum sum;
@@ -185,11 +186,28 @@ void InputFile::CheckSum(const StreamRef& stream, const std::string& what) const
       static_cast<std::size_t>(std::min<std::uint64_t>(buffer.size(), stream.Length - at)));
     this->ReadAt(stream.Offset + at, bytes);
     sum.Add(bytes);
+    use(bytes);
   }
   if (sum.Get() != stream.Sum)
   {
     this->FailSum(stream, what);
   }
+}
+
+//------------------------------------------------------------------------------
+void InputFile::CheckSum(const StreamRef& stream, const std::string& what) const
+{
+  this->ReadInParts(stream, what, [](std::span<const std::uint8_t>) {});
+}
+
+//------------------------------------------------------------------------------
+std::optional<StreamRef> InputFile::FindInWhole(const StreamRef& stream) const
+{
+  this->CheckInside(stream, "a stream");
+  const auto place = this->Locate(stream.Offset);
+  return place.Length < stream.Length
+    ? std::nullopt
+    : std::optional(StreamRef{ place.Offset, stream.Length, stream.Sum });
 }
 
 //------------------------------------------------------------------------------

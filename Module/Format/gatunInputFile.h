@@ -39,8 +39,19 @@ public:
   /** Reads a stream and checks its checksum. what: the name of the stream in messages. */
   Bytes Read(const StreamRef& stream, const std::string& what) const;
 
+  /** Calls use(bytes) for consecutive parts of a stream of any length, and checks its checksum at
+   * the end. */
+  void ReadInParts(const StreamRef& stream, const std::string& what,
+    const std::function<void(std::span<const std::uint8_t>)>& use) const;
+
   /** Checks the checksum of a stream of any length. */
   void CheckSum(const StreamRef& stream, const std::string& what) const;
+
+  /** The place of a stream in the whole file, unless it is in several parts there. */
+  std::optional<StreamRef> FindInWhole(const StreamRef& stream) const;
+
+  /** That of the whole file. */
+  const FileHandle& GetHandle() const { return *this->Handle; }
 
   /** The payloads of the sections of a name. */
   std::vector<StreamRef> FindSections(FourCC name) const;

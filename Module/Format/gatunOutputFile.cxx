@@ -37,6 +37,50 @@ OutputFile::OutputFile(const std::string& path, const ContainerKind& kind)
 }
 
 //------------------------------------------------------------------------------
+OutputFile::OutputFile(const InputFile& before, FourCC outdated)
+  : Kind(MeshContainer)
+  , Data(before.GetPath(), before.GetHandle())
+  , Header(MakeHeader(MeshContainer))
+{
+  for (SectionRef section : before.GetSections())
+  {
+    if (section.Name == outdated)
+    {
+      section.Name = SectionFree;
+      section.Flags = 0;
+    }
+    this->WriteSectionHeader(section);
+    if (this->Data.GetSize() != section.Payload.Offset)
+    {
+      before.Fail(
+        ErrorCode::Corrupt, "a section does not follow the one before it", section.Payload.Offset);
+    }
+    before.ReadInParts(section.Payload, "a section",
+      [this](std::span<const std::uint8_t> bytes) { this->Data.Write(bytes); });
+    this->Sections.push_back(section);
+  }
+  this->AddPieces(before);
+  for (const StreamRef& mesh : before.FindSections(SectionGrid))
+  {
+    this->AddPieces(InputFile(before, mesh, "a mesh"));
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Lets the sections of a file that this one begins with, or of one in it, be shared. */
+void OutputFile::AddPieces(const InputFile& before)
+{
+  for (const SectionRef& section : before.GetSections())
+  {
+    if (const auto piece = before.FindInWhole(section.Payload);
+        piece && section.Name != SectionGrid)
+    {
+      this->Pieces.push_back(*piece);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 OutputFile::OutputFile(Embedded, const OutputFile& whole)
   : Kind(whole.Kind)
   , Data(AtomicFile::MakeScratch(whole.Data))
@@ -236,6 +280,23 @@ bool OutputFile::IsEqual(
 }
 
 //------------------------------------------------------------------------------
+/** What may be in another file, too: sections, and the streams in them. Ascending, and whole
+ * sections come before their streams. */
+std::vector<StreamRef> OutputFile::ListCandidates() const
+{
+  std::vector<StreamRef> list;
+  for (const SectionRef& section : this->Sections)
+  {
+    list.push_back(section.Payload);
+  }
+  list.insert(list.end(), this->Pieces.begin(), this->Pieces.end());
+  std::sort(list.begin(), list.end(),
+    [](const StreamRef& a, const StreamRef& b)
+    { return a.Offset != b.Offset ? a.Offset < b.Offset : a.Length > b.Length; });
+  return list;
+}
+
+//------------------------------------------------------------------------------
 /** Which bytes of a part are in this file already. Exact: checksums only tell what to compare. */
 std::vector<Extent> OutputFile::FindExtents(const OutputFile& part)
 {
@@ -255,7 +316,7 @@ std::vector<Extent> OutputFile::FindExtents(const OutputFile& part)
     }
     at = end;
   };
-  for (const StreamRef& piece : part.Pieces)
+  for (const StreamRef& piece : part.ListCandidates())
   {
     const auto found = this->Index.find(piece.Sum);
     if (found == this->Index.end() || found->second.Length != piece.Length ||

@@ -7,6 +7,7 @@
 #include "gatunAtomicFile.h"
 #include "gatunContainer.h"
 #include "gatunExtents.h"
+#include "gatunInputFile.h"
 
 #include <cstdint>
 #include <span>
@@ -24,6 +25,11 @@ class OutputFile
 {
 public:
   OutputFile(const std::string& path, const ContainerKind& kind);
+
+  /** A file that begins with the sections of another one, which it replaces. Those of the outdated
+   * name become free. AddShared finds whole sections of it, and of meshes in it. Commit fails if
+   * the other file has changed. */
+  OutputFile(const InputFile& before, FourCC outdated);
 
   /** Tells a constructor that the file will be embedded in another one as a section. */
   struct Embedded
@@ -89,6 +95,8 @@ private:
   void AddPart(
     SectionRef section, const OutputFile& part, const Bytes& list, std::span<const Extent> extents);
   std::vector<Extent> FindExtents(const OutputFile& part);
+  std::vector<StreamRef> ListCandidates() const;
+  void AddPieces(const InputFile& before);
   bool IsEqual(
     std::uint64_t offset, const OutputFile& part, std::uint64_t place, std::uint64_t length) const;
 

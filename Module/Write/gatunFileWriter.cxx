@@ -8,6 +8,8 @@
 #include "gatunCellSubset.h"
 #include "gatunDependencySection.h"
 #include "gatunDomainSurvey.h"
+#include "gatunFileReader.h"
+#include "gatunFileReaderInternals.h"
 #include "gatunKeepMemory.h"
 #include "gatunLayerTable.h"
 #include "gatunMeshSection.h"
@@ -21,6 +23,7 @@
 #include "gatunWriterState.h"
 
 #include <array>
+#include <charconv>
 #include <optional>
 #include <utility>
 
@@ -54,6 +57,12 @@ std::unique_ptr<RoundedArray> RoundLayerValues(
   return rounded;
 }
 
+std::string ToText(double time)
+{
+  std::array<char, 32> digits{};
+  return { digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), time).ptr };
+}
+
 /** The arrays of a mesh with the coordinates, if they move. */
 std::vector<ArrayDescription> ListArrays(
   std::vector<ArrayDescription> arrays, const MeshInput& mesh, const WriterOptions& options)
@@ -77,6 +86,9 @@ public:
   {
   }
 
+  /** The meshes and time steps of a file, to which others are added. */
+  Internals(const FileReader& file, const WriterOptions& options);
+
   /** A base mesh or the boundary of another writer's file. */
   Internals(const Internals& whole, const MeshInput& mesh, const WriterOptions& options)
     : Internals(whole, mesh, whole.State.Meta.Arrays, options)
@@ -99,6 +111,10 @@ public:
   std::uint32_t AddMesh(const MeshInput& mesh, const std::vector<ArrayDescription>& arrays,
     const WriterOptions& options, const Progress& progress);
   void UseMesh(std::uint32_t mesh);
+
+  /** The options of a mesh that is added to a file, or as they are. */
+  WriterOptions FitOptions(WriterOptions options) const;
+
   void WriteSeriesStep(std::span<const void* const> values, const FieldData& field, bool hasTime,
     double time, const Progress& progress, const void* coordinates,
     const RemainingCells* remaining);
@@ -148,7 +164,27 @@ private:
   std::uint32_t NumberOfMeshes = 1;
   std::uint32_t NextMesh = 0; // that the next step has
   std::vector<StoredStep> Series;
+  bool IsAppending = false; // the first meshes are in the file
 };
+
+//------------------------------------------------------------------------------
+FileWriter::Internals::Internals(const FileReader& file, const WriterOptions& options)
+  : State(InternalsOf(file).File, options)
+  , Part(MeshInput())
+  , Series(InternalsOf(file).Stored)
+  , IsAppending(true)
+{
+  if (!file.HasTime())
+  {
+    InternalsOf(file).File.Fail(
+      ErrorCode::CannotOpen, "the file has no time, so that no steps can be added");
+  }
+  for (const double time : this->Series.empty() ? file.GetTimes() : std::vector<double>())
+  {
+    this->Series.push_back({ 0, 0, time });
+  }
+  this->NumberOfMeshes = static_cast<std::uint32_t>(InternalsOf(file).Meshes.size() + 1);
+}
 
 //------------------------------------------------------------------------------
 void FileWriter::Internals::Begin(const Progress& progress)
@@ -414,6 +450,18 @@ std::uint32_t FileWriter::Internals::AddMesh(const MeshInput& mesh,
 }
 
 //------------------------------------------------------------------------------
+WriterOptions FileWriter::Internals::FitOptions(WriterOptions options) const
+{
+  if (this->IsAppending)
+  {
+    options.Keep = this->State.Options.Keep;
+    options.ChunkSize = this->State.Options.ChunkSize;
+    options.KeyStepInterval = this->State.Options.KeyStepInterval;
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
 void FileWriter::Internals::EndOther()
 {
   if (this->Other)
@@ -430,7 +478,7 @@ void FileWriter::Internals::EndOther()
 //------------------------------------------------------------------------------
 void FileWriter::Internals::UseMesh(std::uint32_t mesh)
 {
-  if (mesh != 0 && mesh + 1 != this->NumberOfMeshes)
+  if ((mesh != 0 || this->IsAppending) && mesh + 1 != this->NumberOfMeshes)
   {
     ThrowInvalid("only the first and the last mesh of a series can have more time steps");
   }
@@ -445,8 +493,13 @@ void FileWriter::Internals::WriteSeriesStep(std::span<const void* const> values,
 {
   if (!this->Series.empty() && !(hasTime && time > this->Series.back().Time))
   {
-    ThrowInvalid("the times of the steps must ascend: " + std::to_string(time) + " follows " +
-      std::to_string(this->Series.back().Time));
+    ThrowInvalid(
+      "the times of the steps must ascend: " + (hasTime ? ToText(time) : "a step without time") +
+      " follows " + ToText(this->Series.back().Time));
+  }
+  if (this->IsAppending && !this->Other)
+  {
+    ThrowInvalid("the steps that are added need a mesh");
   }
   if (this->NumberOfMeshes > 1 && (this->Series.empty() || !hasTime))
   {
@@ -535,7 +588,10 @@ void FileWriter::Internals::Complete()
   {
     this->State.File.AddSection(SectionTime, WriteSeries(this->Series));
   }
-  this->WriteTables();
+  if (!this->IsAppending)
+  {
+    this->WriteTables();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -560,6 +616,20 @@ FileWriter::FileWriter(const std::string& path, const MeshInput& mesh,
 }
 
 //------------------------------------------------------------------------------
+FileWriter::FileWriter(Append, const std::string& path)
+{
+  const FileReader file(path);
+  WriterOptions options;
+  options.Keep = file.GetKeptOrder();
+  options.ChunkSize = InternalsOf(file).Meta.ChunkSize;
+  options.KeyStepInterval = InternalsOf(file).Meta.KeyStepInterval;
+  options.IsSurface = file.IsSurface();
+  KeepFreedMemory();
+  this->Arrays = file.GetArrays();
+  this->Self = std::make_unique<Internals>(file, options);
+}
+
+//------------------------------------------------------------------------------
 FileWriter::~FileWriter() = default;
 
 //------------------------------------------------------------------------------
@@ -575,7 +645,7 @@ std::uint32_t FileWriter::AddMesh(
   const MeshInput& mesh, const WriterOptions& options, const Progress& progress)
 {
   CheckWriterInput(mesh, this->Arrays, options);
-  WriterOptions rounded = options;
+  WriterOptions rounded = this->Self->FitOptions(options);
   const auto layerValues = RoundLayerValues(mesh, this->Arrays, rounded);
   return this->Self->AddMesh(mesh, ListArrays(this->Arrays, mesh, options), rounded, progress);
 }

@@ -44,6 +44,23 @@ public:
   FileWriter(const std::string& path, const MeshInput& mesh,
     const std::vector<ArrayDescription>& arrays, const WriterOptions& options,
     const Progress& progress = {});
+
+  /** Tells a constructor that time steps are added to a file. */
+  struct Append
+  {
+  };
+
+  /**
+   * Adds time steps to a file that has time: first AddMesh, then the steps of this mesh, and so on.
+   * Times come after those of the file. Meshes have the arrays, kept order, chunk size and key
+   * steps of the file, whatever the options say, and are surfaces if its first mesh is one.
+   * Sections that are in the file already are stored once.
+   *
+   * The bytes of the file are copied and checked; it is replaced by Finish, unless another program
+   * has changed it by then. Throws Error of any kind if it cannot be read.
+   */
+  FileWriter(Append, const std::string& path);
+
   ~FileWriter();
   FileWriter(const FileWriter&) = delete;
   FileWriter& operator=(const FileWriter&) = delete;
@@ -62,13 +79,16 @@ public:
     bool hasTime = false, double time = 0, const Progress& progress = {},
     const void* coordinates = nullptr, const RemainingCells* remaining = nullptr);
 
+  /** The arrays of all meshes. */
+  const std::vector<ArrayDescription>& GetArrays() const { return this->Arrays; }
+
   /** Adds a mesh for the next steps. It has the same arrays. The options are those of the first
    * mesh, except Tree and the values of Layers. Ends the steps of the previous mesh. Returns the
-   * number of the mesh; the first mesh has 0. Needs time. */
+   * number of the mesh; the first mesh of a file has 0. Needs time. */
   std::uint32_t AddMesh(
     const MeshInput& mesh, const WriterOptions& options, const Progress& progress = {});
 
-  /** Selects the mesh of the next steps: the first or the last one. */
+  /** Selects the mesh of the next steps: the last one, or the first one if this writer made it. */
   void UseMesh(std::uint32_t mesh);
 
   /** Completes the file and moves it to its path. */

@@ -23,6 +23,14 @@ WriterState::WriterState(const std::string& path, const std::vector<ArrayDescrip
 }
 
 //------------------------------------------------------------------------------
+WriterState::WriterState(const InputFile& before, const WriterOptions& options)
+  : Options(options)
+  , File(before, SectionTime)
+{
+  this->Statistics.OtherMeshBytes = this->File.GetSize();
+}
+
+//------------------------------------------------------------------------------
 WriterState::WriterState(const std::vector<ArrayDescription>& arrays, const WriterOptions& options,
   const std::string& folder)
   : Options(options)

@@ -81,6 +81,9 @@ public:
   WriterState(const std::string& path, const std::vector<ArrayDescription>& arrays,
     const WriterOptions& options);
 
+  /** A file that begins with the sections of another one, which it replaces. */
+  WriterState(const InputFile& before, const WriterOptions& options);
+
   /** The part of a file that one of several processes writes, in a temporary file in a folder. */
   WriterState(const std::vector<ArrayDescription>& arrays, const WriterOptions& options,
     const std::string& folder);

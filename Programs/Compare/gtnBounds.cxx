@@ -167,10 +167,10 @@ void BoundedComparison::BeginMesh()
 }
 
 //------------------------------------------------------------------------------
-Differences BoundedComparison::Compare(GridView packed, GridView original,
-  const gatun::FileReader& mesh, std::size_t step, bool withRoles)
+Differences BoundedComparison::Compare(
+  GridView packed, GridView original, const gatun::FileReader& mesh, std::size_t step)
 {
-  Differences differences = this->Others.MatchArrays(packed, original, withRoles);
+  Differences differences = this->Others.MatchArrays(packed, original);
   if (this->Others.AreAlike(packed, original) && this->AreValuesEqual)
   {
     const auto points = Take(packed, original, mesh, true);

@@ -37,11 +37,10 @@ public:
   /** Begins with another mesh, whose points and cells have an order of their own. */
   void BeginMesh();
 
-  /** Compares a step. mesh: of the file; step: among those of the mesh. withRoles: as
-   * Comparison::MatchArrays. Values are compared as long as all those of the mesh before were
-   * equal. */
-  Differences Compare(GridView packed, GridView original, const gatun::FileReader& mesh,
-    std::size_t step, bool withRoles);
+  /** Compares a step. mesh: of the file; step: among those of the mesh. Values are compared as long
+   * as all those of the mesh before were equal. */
+  Differences Compare(
+    GridView packed, GridView original, const gatun::FileReader& mesh, std::size_t step);
 
   /** Whether there are arrays with errors, and the largest error as a part of its bound. */
   bool HasBounds() const { return this->IsBounded; }

@@ -263,7 +263,7 @@ bool Comparison::AreAlike(const GridView& first, const GridView& second) const
 }
 
 //------------------------------------------------------------------------------
-Differences Comparison::MatchArrays(GridView& first, GridView& second, bool withRoles) const
+Differences Comparison::MatchArrays(GridView& first, GridView& second) const
 {
   const std::string& a = this->First.Name;
   const std::string& b = this->Second.Name;
@@ -278,8 +278,8 @@ Differences Comparison::MatchArrays(GridView& first, GridView& second, bool with
     differences.push_back(
       fmt::format("{} has {} cells, {} has {}", a, first.Cells, b, second.Cells));
   }
-  this->Match(first.PointArrays, second.PointArrays, withRoles, differences);
-  this->Match(first.CellArrays, second.CellArrays, withRoles, differences);
+  this->Match(first.PointArrays, second.PointArrays, differences);
+  this->Match(first.CellArrays, second.CellArrays, differences);
   return differences;
 }
 
@@ -370,8 +370,8 @@ std::string Comparison::CompareTuples(const ArrayView& first, const ArrayView& s
 
 //------------------------------------------------------------------------------
 // Finds the arrays that both have.
-void Comparison::Match(std::vector<ArrayView>& first, std::vector<ArrayView>& second,
-  bool withRoles, Differences& differences) const
+void Comparison::Match(
+  std::vector<ArrayView>& first, std::vector<ArrayView>& second, Differences& differences) const
 {
   std::vector<ArrayView> ofFirst;
   std::vector<ArrayView> ofSecond;
@@ -385,7 +385,7 @@ void Comparison::Match(std::vector<ArrayView>& first, std::vector<ArrayView>& se
       continue;
     }
     const bool areAlike = view.Kind == found->Kind;
-    if (!areAlike || (withRoles && view.Roles != found->Roles))
+    if (!areAlike || view.Roles != found->Roles)
     {
       differences.push_back(fmt::format("{} is {}{} in {}, {}{} in {}", view.Title, view.Kind,
         view.Roles, this->First.Name, found->Kind, found->Roles, this->Second.Name));

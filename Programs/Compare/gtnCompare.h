@@ -46,10 +46,9 @@ public:
   /** Begins with another mesh, whose points and cells have an order of their own. */
   void BeginMesh();
 
-  /** Compares the numbers of points and cells and the kinds of arrays. Leaves only those arrays
-   * that both have, in the same order. withRoles: whether to compare names of components, roles
-   * and the name of the points, too. */
-  Differences MatchArrays(GridView& first, GridView& second, bool withRoles) const;
+  /** Compares the numbers of points and cells and the kinds of arrays, names of components
+   * and roles. Leaves only those arrays that both have, in the same order. */
+  Differences MatchArrays(GridView& first, GridView& second) const;
 
   /** Whether values can be compared after that. */
   bool AreAlike(const GridView& first, const GridView& second) const;
@@ -85,8 +84,8 @@ private:
   std::string CompareInOrder(const GridView& first, const GridView& second) const;
   std::string CompareTuples(const ArrayView& first, const ArrayView& second) const;
   bool HavePoints(const GridView& first, const GridView& second) const;
-  void Match(std::vector<ArrayView>& first, std::vector<ArrayView>& second, bool withRoles,
-    Differences& differences) const;
+  void Match(
+    std::vector<ArrayView>& first, std::vector<ArrayView>& second, Differences& differences) const;
   void CompareKeys(const std::string& title, const std::vector<std::string>& first,
     const std::vector<std::string>& second, Differences& differences) const;
   void CompareFieldArrays(

@@ -8,9 +8,10 @@
 namespace gtn
 {
 //------------------------------------------------------------------------------
-void AddForce(CLI::App* command, bool& overwrite)
+CLI::Option* AddForce(CLI::App* command, bool& overwrite)
 {
-  command->add_flag("-f,--force", overwrite, "Overwrite OUT if it exists and is not read-only");
+  return command->add_flag(
+    "-f,--force", overwrite, "Overwrite OUT if it exists and is not read-only");
 }
 
 //------------------------------------------------------------------------------

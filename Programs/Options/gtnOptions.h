@@ -13,7 +13,7 @@
 namespace gtn
 {
 /** -f: whether OUT may be replaced. */
-void AddForce(CLI::App* command, bool& overwrite);
+CLI::Option* AddForce(CLI::App* command, bool& overwrite);
 
 /** --arrays: which arrays of the input are wanted. */
 void AddArrays(CLI::App* command, InputOptions& input,

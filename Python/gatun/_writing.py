@@ -287,6 +287,7 @@ def write(
     layers: str | tuple[str, int] | None = None,
     boundary: bool = False,
     split_cells: bool = False,
+    append: bool = False,
     fill_missing: bool = False,
     times: Iterable[float] | bool | None = None,
     chunk_size: int = 0,
@@ -329,6 +330,8 @@ def write(
             and the largest number of layers, 0 (automatic) to 4096.
         boundary: whether to store the boundary of the mesh, too.
         split_cells: whether to write tetrahedra in place of other cells.
+        append: whether to add the time steps to the file, if it exists. They come after those of the
+            file, and have the same arrays.
         fill_missing: whether arrays of a series may come and go: a mesh without an array of another
             one gets it, with NaN, or 0 if it is of integers.
         times: for a series, the times of its meshes, ascending (default: 0, 1, 2, ...); for an
@@ -351,7 +354,7 @@ def write(
     """
     path = os.fsdecode(path)
     arrays = list_names(arrays)
-    _check_target(path, overwrite)
+    _check_target(path, overwrite or append)
     rates = {
         "quality": quality,
         "rms_error": rms_error,
@@ -359,6 +362,8 @@ def write(
         "bits_per_voxel": bits_per_voxel,
     }
     if path.lower().endswith(".ghv"):
+        if append:
+            raise ValueError("append: a volume has no time steps")
         return _write_volume(data, path, rates, block_size, arrays)
     for name, value in rates.items():
         if value is not None:
@@ -369,6 +374,7 @@ def write(
     _set_tolerances(writer, tolerances)
     writer.SetFastArrays(bool(fast_arrays))
     writer.SetFillMissingArrays(bool(fill_missing))
+    writer.SetAppend(bool(append))
     _set_point_tolerance(writer, point_tolerance)
     writer.SetKeepOrder(_find_order(keep_order))
     writer.SetHierarchy(bool(hierarchy or levels))

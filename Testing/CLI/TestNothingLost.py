@@ -148,8 +148,11 @@ gtn("pack", "legacy.vtk", "legacy.gtn")
 gtn("info", "--json", "legacy.gtn", says='"times": []')
 assert not unpacked("legacy.gtn").GetFieldData().HasArray("TimeValue")
 for step in (0, 1):
-    write(full(), f"same{step}.vtu")  # of one time, so that they are numbered
-gtn("pack", "-q", "same0.vtu", "same1.vtu", "same.gtn")
+    write(full(), f"same{step}.vtu")  # of one time, and the list has others
+with open("same.pvd", "w", encoding="ascii") as file:
+    file.write('<VTKFile type="Collection"><Collection><DataSet timestep="0" file="same0.vtu"/>'
+               '<DataSet timestep="1" file="same1.vtu"/></Collection></VTKFile>')
+gtn("pack", "-q", "same.pvd", "same.gtn")
 assert unpacked("same.gtn", "--step", 1).GetFieldData().GetArray("TimeValue").GetValue(0) == 2.5
 
 # Quadrature schemes.

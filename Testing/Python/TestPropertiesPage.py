@@ -23,7 +23,7 @@ IGNORED = {"Input", "InputConnection", "InputData"}  # no properties
 # Tables whose objects have no single Get for a property.
 METHODS = {"PointArrayStatus", "CellArrayStatus", "ArrayTolerance", "PointTolerance", "ArrayWeight",
            "Layers", "Value", "NumberOfContours", "DetailPolicy"}
-MOST = {"vtkGatunReader": 15, "vtkGatunWriter": 17, "vtkGatunVolumeMapper": 13, "vtkGatunRayCaster": 13,
+MOST = {"vtkGatunReader": 15, "vtkGatunWriter": 18, "vtkGatunVolumeMapper": 13, "vtkGatunRayCaster": 13,
         "vtkGatunHartleyProjection": 13}
 
 
