@@ -3,7 +3,8 @@ set(gatun_packaging_folder "${PROJECT_SOURCE_DIR}/Packaging")
 if (GATUN_BUILD_PARAVIEW_PLUGIN)
   install(FILES "${gatun_packaging_folder}/gatun-paraview.desktop"
     DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
-else ()
+endif ()
+if (gatun_build_vtk)
   install(FILES "${gatun_packaging_folder}/gatun.xml"
     DESTINATION "${CMAKE_INSTALL_DATADIR}/mime/packages")
   install(

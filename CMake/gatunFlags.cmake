@@ -59,6 +59,6 @@ target_compile_options(gatunTestFlags INTERFACE
   "$<$<NOT:$<CONFIG:Debug>>:${GATUN_TEST_OPTIMIZATION}>")
 
 # A static library names what it links, even privately, to those who link it.
-if (NOT BUILD_SHARED_LIBS AND NOT GATUN_BUILD_PARAVIEW_PLUGIN)
+if (NOT BUILD_SHARED_LIBS AND gatun_build_vtk)
   install(TARGETS gatunBuildFlags gatunSanitizers EXPORT Gatun)
 endif ()

@@ -1,10 +1,4 @@
-# The build of the ParaView plugin: the same module folders, against ParaView's own VTK.
-
-# Named, because all components would need the developer packages of all that ParaView's window uses. The
-# optional ones bring targets that the others link.
-find_package(ParaView 5.11 REQUIRED
-  COMPONENTS          ProcessXML RemotingViews VTKExtensionsFiltersRendering VTKExtensionsIOCore WrapClientServer
-  OPTIONAL_COMPONENTS PythonInitializer VTKExtensionsIOExodus VTKExtensionsIOGeneral)
+# The ParaView plugin, and for a ParaView with a VTK of its own the module folders built against that.
 
 if (NOT PARAVIEW_USE_QT AND NOT PARAVIEW_USE_PYTHON)
   message(STATUS "Gatun: this ParaView has neither a window nor Python; the plugin is built anyway.")
@@ -17,6 +11,8 @@ paraview_plugin_scan(
   ENABLE_BY_DEFAULT       ON
   HIDE_PLUGINS_FROM_CACHE ON)
 
+# The plugin has libraries of its own in its folder, which no system searches.
+set(CMAKE_SKIP_INSTALL_RPATH OFF)
 paraview_plugin_build(
   RUNTIME_DESTINATION  "${CMAKE_INSTALL_BINDIR}"
   LIBRARY_DESTINATION  "${CMAKE_INSTALL_LIBDIR}"
@@ -26,7 +22,7 @@ paraview_plugin_build(
   PLUGINS              ${gatun_plugins})
 
 # `import gatun` in pvpython and pvbatch, whether the plugin is loaded or not.
-if (GATUN_WRAP_PYTHON AND PARAVIEW_USE_PYTHON)
+if (NOT gatun_build_vtk AND GATUN_WRAP_PYTHON AND PARAVIEW_USE_PYTHON)
   set(gatun_modules VTK::GatunFilters VTK::GatunIO VTK::GatunRendering)
   if (GATUN_ENABLE_TETGEN)
     list(APPEND gatun_modules VTK::GatunTetGen)

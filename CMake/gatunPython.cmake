@@ -53,7 +53,7 @@ function (gatun_add_python_package)
 
   # The stubs are made by loading the modules, which a program with sanitizers or for another machine
   # does not let Python do, nor a ParaView outside the folders of the system.
-  if (NOT CMAKE_CROSSCOMPILING AND NOT GATUN_SANITIZE AND NOT GATUN_BUILD_PARAVIEW_PLUGIN)
+  if (NOT CMAKE_CROSSCOMPILING AND NOT GATUN_SANITIZE AND gatun_build_vtk)
     set(stubs "${folder}/__init__.pyi")
     set(targets)
     set(headers)

@@ -16,17 +16,22 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${GATUN_BUILD_DIR:-$root/build}
 prefix=${GATUN_PARAVIEW_PREFIX:-$build/paraview-prefix}/usr
 
+plugin=$(find "$build/paraview" "$build/release" -name Gatun.so -print -quit 2>/dev/null || true)
+modules=${plugin:+${plugin%/lib/*}/lib/python3/dist-packages}
+
 settings=(OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1)
 if [ -d "$prefix" ]; then
   libraries=$(dirname "$(echo "$prefix"/lib/*/cmake)")
+  modules=$prefix/lib/python3/dist-packages${modules:+:$modules}
   settings+=(
     "PATH=$prefix/bin:$PATH"
-    "PYTHONPATH=$prefix/lib/python3/dist-packages:$build/paraview/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}"
     "LD_LIBRARY_PATH=$libraries${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}")
 fi
-plugin=$(find "$build/paraview" -name Gatun.so -print -quit 2>/dev/null || true)
 if [ -n "$plugin" ]; then
   settings+=("GATUN_PLUGIN=$plugin")
+fi
+if [ -n "$modules" ]; then
+  settings+=("PYTHONPATH=$modules${PYTHONPATH:+:$PYTHONPATH}")
 fi
 
 if [ $# -eq 0 ]; then

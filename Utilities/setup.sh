@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Builds and runs Gatun on Debian 12 or 13, from a system with nothing installed.
+# Builds and runs Gatun on Debian 12, 13 or testing, from a system with nothing installed.
 #
 #   Utilities/setup.sh demo [FILE]   install what is needed, build, show what Gatun does (to FILE,
 #                                    a mesh that VTK can read, or to a mesh that the demo makes)
@@ -126,10 +126,10 @@ find_versioned_modules() {
 
 # Sets $paraview to a folder with a complete ParaView, its CMake package and its Python modules.
 #
-# Debian's python3-paraview cannot be installed next to python3-vtk9, but ParaView's CMake package
-# needs it. Without it, the three packages of ParaView are unpacked into a separate folder.
+# In Debian 12 and 13, python3-paraview cannot be installed next to python3-vtk9, but ParaView's CMake
+# package needs it. Without it, the three packages of ParaView are unpacked into a separate folder.
 #
-# In Debian 13, ParaView's CMake package names Python modules <module>.so, but the files are called
+# From Debian 13 on, ParaView's CMake package names Python modules <module>.so, but the files are called
 # <module>.cpython-<version>-<platform>.so. Links in the separate folder make up for that.
 find_paraview() {
   local version stamp folder module
@@ -196,13 +196,20 @@ keep_tests() {
   [ -f "$build/$1/CMakeCache.txt" ] || tests=(-DGATUN_BUILD_TESTING=OFF)
 }
 
-# build_paraview <preset> <cmake argument>...
-build_paraview() {
+# build_both <cmake argument>...: the trees for VTK and for ParaView, which it adds to $trees. A ParaView that
+# uses the VTK of the system shares its tree.
+build_both() {
   local config
   config=$(echo "$paraview"/lib/*/cmake/paraview-*)
   [ -f "$config/paraview-config.cmake" ] || die "no ParaView for developers in $paraview"
+  trees+=(release)
+  if [ -d "$config/vtk" ]; then
+    build_vtk "$@"
+    trees+=(paraview)
+  fi
   # ParaView's CMake package looks for its Python modules by running Python.
-  PYTHONPATH=$paraview/lib/python3/dist-packages build_tree "$@" "-DParaView_DIR=$config"
+  PYTHONPATH=$paraview/lib/python3/dist-packages build_tree "${trees[-1]}" "-DParaView_DIR=$config" \
+    -DGATUN_BUILD_PARAVIEW_PLUGIN=ON "$@"
 }
 
 run_demo() {
@@ -220,7 +227,7 @@ use_ccache() {
 }
 
 run_test() {
-  local trees=(release paraview) all=OFF selection=(-LE '^(long|package)$')
+  local trees=() all=OFF selection=(-LE '^(long|package)$')
   if [ "${1:-}" = --all ]; then
     shift
     all=ON
@@ -234,8 +241,7 @@ run_test() {
     use_ccache
   fi
   find_paraview
-  build_vtk -DGATUN_BUILD_TESTING=ON "-DGATUN_BUILD_BENCHMARKS=$all"
-  build_paraview paraview -DGATUN_BUILD_TESTING=ON
+  build_both -DGATUN_BUILD_TESTING=ON "-DGATUN_BUILD_BENCHMARKS=$all"
   if [ "$all" = ON ]; then
     build_tree asan-ubsan
   elif [ "$in_ci" = ON ]; then

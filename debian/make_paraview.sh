@@ -1,9 +1,10 @@
 #!/bin/sh
 # make_paraview.sh FOLDER: makes a ParaView for developers out of the packages paraview and paraview-dev.
 #
-# ParaView's CMake package also needs python3-paraview, which cannot be installed: it excludes python3-vtk9, on which
-# libvtk9-dev depends. Programs and Python modules are only looked for, and empty files stand for them. The hierarchy of
-# classes, which wrapping reads, is made from the headers; one file has that of all modules.
+# ParaView's CMake package also needs python3-paraview, which cannot be installed in Debian 12 and 13: it excludes
+# python3-vtk9, on which libvtk9-dev depends. Programs and Python modules are only looked for, and empty files stand for
+# them. The hierarchy of classes, which wrapping reads, is made from the headers if a ParaView with a VTK of its own
+# lacks it; one file has that of all modules.
 set -eu
 folder=$1
 multiarch=$(dpkg-architecture -qDEB_HOST_MULTIARCH)
@@ -20,6 +21,11 @@ cp -r "$config" "$folder/lib/$multiarch/cmake"
 grep -rhoE '(bin/pv[a-z]+|lib/python3/[^" ]+\.so)' "$config" | sort -u | while read -r file; do
   [ -e "$folder/$file" ] || install -D /dev/null "$folder/$file"
 done
+
+if [ ! -d "$config/vtk" ]; then
+  ln -s "/usr/lib/$multiarch/vtk" "$folder/lib/$multiarch"
+  exit
+fi
 
 # Lines <header>;<library> of all modules that have a hierarchy.
 awk -F'"' '

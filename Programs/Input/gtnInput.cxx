@@ -37,6 +37,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -65,7 +65,7 @@ def options_of(*command):
     """Those that --help of a command lists."""
     names = set()
     for line in gtn(*command, "--help").splitlines():
-        match = re.match(r"  (-[^ ,]+(, ?-[^ ,]+)*)", line)
+        match = re.match(r" {2,10}(-[^ ,]+(, *-[^ ,]+)*)", line)  # texts are farther to the right
         names.update(re.findall(r"(?<![\w-])-{1,2}[a-z][a-z-]*", match.group(1)) if match else [])
     return names
 

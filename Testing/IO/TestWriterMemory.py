@@ -2,12 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 """Whatever runs out of memory, the writer or the pipeline before it: Write returns 0 with a message
-that says so, and the old file stays."""
+that says so, and the old file stays. A VTK with assertions may end the process in its own filter."""
 
 import os
 import resource
+import signal
 import subprocess
 import sys
+
+if "filter" in sys.argv:  # VTK's filter would use TBB, which never ends without memory for its threads
+    os.environ["VTK_SMP_BACKEND_IN_USE"] = "Sequential"
 
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
@@ -59,10 +63,11 @@ if not os.path.exists("/proc/self/statm"):
     sys.exit(gm.SKIPPED)
 os.makedirs(folder, exist_ok=True)
 for source in ("grid", "filter"):
+    expected = {0, 3, -signal.SIGABRT} if source == "filter" and gm.vtk_aborts() else {0, 3}
     codes = []
     for mebibytes in (0.5, 2, 4, 9, 16, 24, 2000):
         run = subprocess.run([sys.executable, __file__, str(mebibytes), source], check=False)
-        assert run.returncode in (0, 3), (source, mebibytes, run.returncode)
+        assert run.returncode in expected, (source, mebibytes, run.returncode)
         codes.append(run.returncode)
         assert os.listdir(folder) == ["mesh.gtn"], os.listdir(folder)
-    assert codes[0] == 3 and codes[-1] == 0, (source, codes)
+    assert codes[0] != 0 and 3 in codes and codes[-1] == 0, (source, codes)

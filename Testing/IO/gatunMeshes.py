@@ -3,7 +3,9 @@
 
 """Meshes, and ways to compare them that are not ours: numpy on what VTK hands out."""
 
+import functools
 import os
+import subprocess
 import sys
 
 import numpy as np
@@ -28,6 +30,18 @@ def temporary(name):
     if os.path.lexists(path) and not os.path.isdir(path):
         os.remove(path)
     return path
+
+
+@functools.cache
+def vtk_aborts():
+    """Whether an array of VTK that cannot grow ends the process, as it does in a VTK with assertions. In others
+    it throws std::bad_alloc, which nothing catches in Python."""
+    code = """from vtkmodules.vtkCommonCore import vtkDoubleArray
+array = vtkDoubleArray()
+array.SetNumberOfTuples(1)
+array.Resize(1 << 48)"""
+    run = subprocess.run([sys.executable, "-c", code], stderr=subprocess.PIPE, check=False)
+    return b"bad_alloc" not in run.stderr
 
 
 def data_folder():

@@ -77,7 +77,7 @@ table = simple.GetColorTransferFunction("wave")
 table.RescaleTransferFunction(-1, 2)
 colored = require("colored")
 drawing.require_other(colored, plain)
-table.ApplyPreset("Viridis (matplotlib)", True)
+table.ApplyPreset("Black-Body Radiation", True)
 drawing.require_other(require("other colors"), colored)
 
 ours.Style = "Surface With Edges"
