@@ -21,7 +21,6 @@ set(gatun_vtk_components
   IOImage
   IOLegacy
   IOParallelXML
-  IOPLY
   IOXML
   IOXMLParser
   ParallelCore

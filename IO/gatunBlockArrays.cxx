@@ -89,6 +89,44 @@ vtkSmartPointer<vtkAbstractArray> Renamed(vtkAbstractArray* array, const std::st
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> NameArrays(vtkDataSetAttributes* attributes, const std::string& where)
+{
+  std::vector<std::string> messages;
+  std::vector<vtkSmartPointer<vtkAbstractArray>> unnamed;
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* const array = attributes->GetAbstractArray(i);
+    if (!array->GetName() || *array->GetName() == '\0')
+    {
+      unnamed.emplace_back(array);
+    }
+  }
+  for (const auto& array : unnamed)
+  {
+    const std::uint32_t roles = AttributeRolesOf(attributes, array);
+    std::string own = "Array";
+    for (int type = vtkDataSetAttributes::NUM_ATTRIBUTES - 1; type >= 0; --type)
+    {
+      own = roles >> type & 1u ? vtkDataSetAttributes::GetAttributeTypeAsString(type) : own;
+    }
+    std::string name = own;
+    for (int i = 2; attributes->HasArray(name.c_str()) != 0; ++i)
+    {
+      name = own + " (" + std::to_string(i) + ")";
+    }
+    int place = 0;
+    while (attributes->GetAbstractArray(place) != array)
+    {
+      ++place;
+    }
+    attributes->RemoveArray(place);
+    AddWithRoles(attributes, Renamed(array, name), roles);
+    messages.push_back("a " + where + " array without a name is called '" + name + "'");
+  }
+  return messages;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkStringArray> MakeBlockArrays(const std::vector<BlockArray>& arrays)
 {
   auto table = vtkSmartPointer<vtkStringArray>::New();

@@ -4,6 +4,7 @@
 #ifndef gatunBlockArrays_h
 #define gatunBlockArrays_h
 
+#include "vtkGatunIOModule.h" // For export macro
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -18,6 +19,7 @@ VTK_ABI_NAMESPACE_BEGIN
 #endif
 class vtkAbstractArray;
 class vtkDataSet;
+class vtkDataSetAttributes;
 class vtkFieldData;
 class vtkStringArray;
 #ifdef VTK_ABI_NAMESPACE_END
@@ -53,6 +55,12 @@ std::optional<std::vector<BlockArray>> ReadBlockArrays(vtkFieldData* field);
 
 /** Returns the same array under another name. The values are shared where VTK can share them. */
 vtkSmartPointer<vtkAbstractArray> Renamed(vtkAbstractArray* array, const std::string& name);
+
+/** Gives arrays without a name one: that of the attribute that they are active as, such as Normals,
+ * or else Array, with a number behind it if another array has that. where: "point" or "cell".
+ * Returns messages about them. */
+VTKGATUNIO_EXPORT std::vector<std::string> NameArrays(
+  vtkDataSetAttributes* attributes, const std::string& where);
 
 /**
  * Gives all pieces the same arrays of one association, so that they can be merged.

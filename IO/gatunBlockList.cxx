@@ -4,6 +4,7 @@
 #include "gatunBlockList.h"
 
 #include "gatunArrayBridge.h"
+#include "gatunBlockArrays.h"
 #include "gatunBytes.h"
 #include "gatunGhosts.h"
 #include "gatunPartExchange.h"
@@ -21,6 +22,7 @@
 #include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -107,6 +109,59 @@ void BlockList::AddField(vtkFieldData* field)
 }
 
 //------------------------------------------------------------------------------
+/** Adds the field arrays of the pieces to those of the trees: once what is equal in all, and
+ * otherwise each with the name of its block behind its own. */
+void BlockList::JoinFields()
+{
+  std::vector<std::string> names; // in order
+  std::map<std::string, std::vector<std::pair<vtkAbstractArray*, std::string>>> found;
+  for (const auto& [field, label, block] : this->PieceFields)
+  {
+    for (int i = 0; i < field->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* const array = field->GetAbstractArray(i);
+      if (!array->GetName())
+      {
+        this->Field->AddArray(array);
+        continue;
+      }
+      auto& arrays = found[array->GetName()];
+      if (arrays.empty())
+      {
+        names.emplace_back(array->GetName());
+      }
+      arrays.emplace_back(array, label);
+    }
+  }
+  for (const std::string& name : names)
+  {
+    const auto& arrays = found[name];
+    vtkAbstractArray* const known = this->Field->GetAbstractArray(name.c_str());
+    vtkAbstractArray* const first = known ? known : arrays.front().first;
+    const auto isEqual = [first](const auto& other) { return AreEqual(first, other.first); };
+    if (std::all_of(arrays.begin(), arrays.end(), isEqual))
+    {
+      this->Field->AddArray(first);
+      continue;
+    }
+    for (const auto& array : arrays)
+    {
+      if (known && isEqual(array))
+      {
+        continue;
+      }
+      const std::string own = name + " (" + array.second + ")";
+      std::string free = own;
+      for (int i = 2; this->Field->HasArray(free.c_str()) || found.count(free) > 0; ++i)
+      {
+        free = own + " (" + std::to_string(i) + ")";
+      }
+      this->Field->AddArray(Renamed(array.first, free));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void BlockList::AddPiece(vtkDataSet* data, int block)
 {
   auto copy = vtk::TakeSmartPointer(data->NewInstance());
@@ -118,10 +173,18 @@ void BlockList::AddPiece(vtkDataSet* data, int block)
     ClearGhosts(grid->GetCellData(), vtkDataSetAttributes::DUPLICATECELL);
     ClearGhosts(grid->GetPointData(), vtkDataSetAttributes::DUPLICATEPOINT);
   }
+  for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    for (const std::string& message : NameArrays(copy->GetAttributes(association),
+           association == vtkDataObject::POINT ? "point" : "cell"))
+    {
+      this->Messages.insert(message);
+    }
+  }
   this->Pieces.push_back(copy);
   this->Blocks.push_back(block);
   this->Own.push_back(true);
-  this->AddField(data->GetFieldData());
+  this->PieceFields.push_back({ data->GetFieldData(), "", block });
 }
 
 //------------------------------------------------------------------------------
@@ -312,6 +375,14 @@ void BlockList::Agree(PartExchange& exchange, bool isSingle, bool hasUnused)
     numbers.emplace(place, number);
     this->Names.push_back(name ? *name : "Block " + std::to_string(number));
   }
+  for (auto& [field, label, block] : this->PieceFields)
+  {
+    const auto number = numbers.find(
+      this->Composite ? this->Entries[static_cast<std::size_t>(block)].Where : Place());
+    label =
+      number != numbers.end() ? this->Names[static_cast<std::size_t>(number->second)] : "piece";
+  }
+  exchange.Together([this] { this->JoinFields(); });
   for (const auto& [place, ofBlock] : pieces)
   {
     for (const auto& described : ofBlock)

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -67,8 +68,12 @@ public:
   /** Shallow copies of the pieces of this process. Before Agree, empty ones included. */
   std::vector<vtkSmartPointer<vtkDataSet>> GetOwnPieces() const;
 
-  /** The field arrays of this process. The first one of a name counts. */
+  /** The field arrays of this process, known after Agree. Of those of trees, the first one of a
+   * name counts. Those of datasets that differ have the names of their blocks behind their own. */
   vtkFieldData* GetField() const { return this->Field; }
+
+  /** What was changed of the arrays of this process. */
+  const std::set<std::string>& GetMessages() const { return this->Messages; }
 
 private:
   /** The index of the input, of its child, of the child of that, and so on. */
@@ -80,9 +85,18 @@ private:
     std::optional<std::string> Name;
   };
 
+  /** The field arrays of a piece. */
+  struct PieceField
+  {
+    vtkSmartPointer<vtkFieldData> Arrays;
+    std::string Label; ///< the name of the block
+    int Block = 0;     ///< of the entries
+  };
+
   int AddBlock(const Place& place, const char* name);
   void AddPiece(vtkDataSet* data, int block);
   void AddField(vtkFieldData* field);
+  void JoinFields();
   void AddTo(const Place& place, vtkDataObject* data);
   void DropEmpty();
   std::vector<std::uint8_t> Describe(bool isSingle, bool hasUnused) const;
@@ -96,6 +110,8 @@ private:
   std::vector<Entry> Entries; // of this process
   std::vector<std::string> Names;
   vtkNew<vtkFieldData> Field;
+  std::vector<PieceField> PieceFields;
+  std::set<std::string> Messages;
 };
 }
 

@@ -38,6 +38,7 @@
 
 #include <algorithm>
 #include <new>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -397,6 +398,10 @@ void vtkGatunMergeBlocks::Merge(const gatun::BlockList& blocks, vtkUnstructuredG
       }
     }
   }
+  for (const std::string& message : blocks.GetMessages())
+  {
+    vtkWarningMacro(<< message);
+  }
   if (blocks.IsComposite())
   {
     AddBlockIds(blocks);
@@ -415,6 +420,14 @@ void vtkGatunMergeBlocks::Merge(const gatun::BlockList& blocks, vtkUnstructuredG
     if (merge && !points.GetFilled().empty())
     {
       RestoreValues(blocks, points, output);
+    }
+    const vtkIdType joined = std::accumulate(own.begin(), own.end(), -output->GetNumberOfPoints(),
+      [](vtkIdType sum, vtkDataSet* piece) { return sum + piece->GetNumberOfPoints(); });
+    if (joined > 0 && !this->MergeCoincidentPoints)
+    {
+      vtkWarningMacro(<< joined
+                      << " points of blocks were joined with others that have the same "
+                         "global id");
     }
   }
 

@@ -24,14 +24,15 @@
  * values are filled with NaN (float, double) or 0 and a warning is issued; string arrays that some
  * blocks lack are dropped, with a warning. Arrays of one name that differ in type or number of
  * components stay apart: all but the first get a number behind their name, with a warning, and so
- * do arrays of blocks that are called BlockId. Arrays without a name are dropped. Field arrays of
- * the composite dataset take precedence over those of its blocks.
+ * do arrays of blocks that are called BlockId. Arrays without a name get that of the attribute
+ * that they are active as, or else Array, with a warning. Field arrays that are equal in all blocks
+ * that have them are there once. Others are called "NAME (BLOCK)".
  *
  * Points of different blocks stay separate even where they coincide, except in two cases: if all
  * blocks have global point ids (vtkDataSetAttributes::GetGlobalIds), points are merged by these
- * ids; if MergeCoincidentPoints is on, they are merged by coordinates. A merged point has the
- * values of one of the blocks that have the array. Ghost cells (DUPLICATECELL in vtkGhostType) are
- * dropped together with the points that only they use.
+ * ids, with a warning that counts them; if MergeCoincidentPoints is on, they are merged by
+ * coordinates. A merged point has the values of one of the blocks that have the array. Ghost cells
+ * (DUPLICATECELL in vtkGhostType) are dropped together with the points that only they use.
  *
  * Processes: with Controller, each process gets the blocks that it has as one grid. Blocks have the
  * same place in the tree everywhere and may be missing or in parts. Numbers, names and arrays of

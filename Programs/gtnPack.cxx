@@ -186,6 +186,22 @@ void PrintSizes(vtkGatunWriter* writer, const PackOptions& options, bool verbose
   }
 }
 
+/** Names steps whose times do not ascend. */
+void CheckTimes(const Input& input)
+{
+  const std::vector<double>& times = input.GetTimes();
+  for (std::size_t i = 1; i < times.size(); ++i)
+  {
+    if (!(times[i] > times[i - 1]))
+    {
+      throw Failure(input.GetName(),
+        fmt::format("the times of the steps must ascend: step {} is at {}, and step {} at {}; "
+                    "--steps chooses some of them, such as --steps 0:{}",
+          i - 1, DescribeNumber(times[i - 1]), i, DescribeNumber(times[i]), i - 1));
+    }
+  }
+}
+
 void Pack(const PackOptions& options, const Settings& settings)
 {
   if (ExtensionOf(options.Out) != ".gtn")
@@ -207,6 +223,7 @@ void Pack(const PackOptions& options, const Settings& settings)
   }
   writer->SetFastArrays(options.FastArrays);
   Input input(options.In, options.Input);
+  CheckTimes(input);
   CheckWritable(options.Out, options.Overwrite || options.Append);
 
   writer->SetFileName(options.Out.c_str());

@@ -87,6 +87,12 @@ void Print(const VolumePackOptions& options, vtkImageData* volume, vtkGatunHartl
   fmt::print("  {:.3f} bits a voxel, 1 : {:.4g}\n", bits, raw / bits);
   fmt::print("  root mean square error {:.4g}, largest error {:.4g}{}\n", error,
     get("MaximumError").ToDouble(), std::isfinite(psnr) ? fmt::format(", {:.1f} dB", psnr) : "");
+  const bool isExact = options.Compression.RateControl.Mode == gatun::HartleyRateMode::RMSError &&
+    options.Compression.RateControl.Value == 0;
+  if (isExact && error > 0)
+  {
+    fmt::print("  floating-point values are rounded; only integers are lossless\n");
+  }
 }
 
 void Pack(const VolumePackOptions& options, const Settings& settings)
@@ -125,7 +131,7 @@ void AddVolumePack(CLI::App& app, Settings& settings)
     "their names.",
     "  gtn volume pack head.nii.gz head.ghv\n"
     "  gtn volume pack --block 16 --psnr 45 head.vti head.ghv\n"
-    "  gtn volume pack --rms-error 0 head.mha head.ghv          lossless\n"
+    "  gtn volume pack --rms-error 0 head.mha head.ghv          lossless for integers\n"
     "  gtn volume pack --bits-per-voxel 1 --spacing 0.5,0.5,2 slices/ head.ghv\n"
     "  gtn volume pack slice_*.png head.ghv");
   AddForce(command, options->Overwrite);

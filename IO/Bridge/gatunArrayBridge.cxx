@@ -13,6 +13,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
+#include "vtkNew.h"
 #include "vtkStringArray.h"
 
 #include <bit>
@@ -412,6 +413,20 @@ FieldData BridgeFieldData(vtkFieldData* field, std::vector<std::string>& refused
     arrays.push_back(std::move(stored));
   }
   return arrays;
+}
+
+//------------------------------------------------------------------------------
+bool AreEqual(vtkAbstractArray* a, vtkAbstractArray* b)
+{
+  const auto describe = [](vtkAbstractArray* array)
+  {
+    vtkNew<vtkFieldData> field;
+    field->AddArray(array);
+    std::vector<std::string> refused;
+    return BridgeFieldData(field, refused);
+  };
+  const FieldData first = describe(a);
+  return a == b || (!first.empty() && first == describe(b));
 }
 
 //------------------------------------------------------------------------------

@@ -103,6 +103,9 @@ VTKGATUNIO_EXPORT void AddWithRoles(
  */
 FieldData BridgeFieldData(vtkFieldData* field, std::vector<std::string>& refused);
 
+/** Whether a file holds two arrays as the same field array, bit for bit. */
+VTKGATUNIO_EXPORT bool AreEqual(vtkAbstractArray* a, vtkAbstractArray* b);
+
 /** Adds the field data of a file. Throws gatun::Error (Corrupt) if sizes are inconsistent. */
 void AddFieldData(vtkFieldData* field, const FieldData& arrays);
 }

@@ -6,10 +6,12 @@
 #include "gatunCellArrays.h"
 #include "gatunCellShapes.h"
 #include "gatunError.h"
+#include "vtkGatunCompat.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
+#include "vtkCellTypes.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
@@ -122,8 +124,9 @@ void CheckCellSize(vtkIdType cell, int type, vtkIdType size)
   const vtkIdType least = kind.Points > 0 ? kind.Points : kind.Shape ? kind.Shape->Corners : 0;
   if (size < least || (kind.Points > 0 && size > least))
   {
-    ThrowInvalid("cell " + std::to_string(cell) + " has " + std::to_string(size) + " points, not " +
-      std::to_string(least) + (kind.Points > 0 ? "" : " or more"));
+    ThrowInvalid("cell " + std::to_string(cell) + " (type " + std::to_string(type) + ", " +
+      vtkCellTypeUtilities::GetClassNameFromTypeId(type) + ") has " + std::to_string(size) +
+      " points, not " + std::to_string(least) + (kind.Points > 0 ? "" : " or more"));
   }
 }
 

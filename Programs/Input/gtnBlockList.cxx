@@ -4,7 +4,9 @@
 #include "gtnBlockList.h"
 
 #include "gtnFailure.h"
+#include "gtnFileKind.h"
 #include "gtnPartList.h"
+#include "gtnReadable.h"
 #include "gtnText.h"
 #include "gtnXMLPieces.h"
 
@@ -78,6 +80,8 @@ private:
     {
       throw Failure(file, "lists lists of blocks that list each other");
     }
+    CheckReadable(file);
+    CheckXMLType(file);
     vtkNew<vtkXMLDataParser> parser;
     vtkXMLDataElement* root = ParseXML(file, parser);
     this->Folders.push_back(std::filesystem::path(file).parent_path());

@@ -12,6 +12,7 @@
 #include "gtnSpooledMesh.h"
 #include "gtnTimes.h"
 
+#include "gatunArrayBridge.h"
 #include "gatunCellInput.h"
 #include "gatunError.h"
 #include "gatunGhosts.h"
@@ -174,6 +175,29 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeForm(vtkUnstructuredGrid* grid, std::si
   }
   form->GetFieldData()->ShallowCopy(grid->GetFieldData());
   return form;
+}
+
+/** A form with the field arrays of a time step: those that all blocks have in common change with
+ * time in all of them. surveyed: the form of a block, with those of the step of the form; current:
+ * the block at the step. */
+vtkSmartPointer<vtkUnstructuredGrid> FollowStep(
+  vtkUnstructuredGrid* form, vtkUnstructuredGrid* surveyed, vtkUnstructuredGrid* current)
+{
+  auto follower = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  follower->ShallowCopy(form);
+  vtkFieldData* const field = form->GetFieldData();
+  for (int i = 0; i < field->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* const array = field->GetAbstractArray(i);
+    const char* const name = array->GetName();
+    vtkAbstractArray* const old = name ? surveyed->GetFieldData()->GetAbstractArray(name) : nullptr;
+    vtkAbstractArray* const now = name ? current->GetFieldData()->GetAbstractArray(name) : nullptr;
+    if (old && now && gatun::AreEqual(array, old))
+    {
+      follower->GetFieldData()->AddArray(now); // in its place
+    }
+  }
+  return follower;
 }
 
 // Where a form is in merged blocks.
@@ -377,7 +401,8 @@ void BlockSource::SurveyStep(std::size_t step)
     ghosts += block.Ghosts;
     survey.HasGlobalIds = survey.HasGlobalIds &&
       (block.Grid->GetNumberOfPoints() == 0 || block.Grid->GetPointData()->GetGlobalIds());
-    SetData(survey.Blocks, survey.Blocks.Tree, i, MakeForm(block.Grid, i));
+    survey.Forms.push_back(MakeForm(block.Grid, i));
+    SetData(survey.Blocks, survey.Blocks.Tree, i, survey.Forms.back());
     auto* blocks = vtkMultiBlockDataSet::SafeDownCast(survey.Blocks.Tree);
     if (this->IsOneFile && !block.Name.empty())
     {
@@ -425,7 +450,15 @@ void BlockSource::Read(
   CopyTree(survey.Blocks.Tree.Get(), blocks.Get());
   for (std::size_t i = first; i < last; ++i)
   {
-    SetData(survey.Blocks, blocks, i, this->ReadBlock(step, i).Grid);
+    const auto grid = this->ReadBlock(step, i).Grid;
+    SetData(survey.Blocks, blocks, i, grid);
+    for (std::size_t k = 0; i == first && this->IsOneFile && k < survey.Forms.size(); ++k)
+    {
+      if (k < first || k >= last)
+      {
+        SetData(survey.Blocks, blocks, k, FollowStep(survey.Forms[k], survey.Forms[i], grid));
+      }
+    }
   }
 
   // Merged blocks are in the order of the tree.

@@ -52,6 +52,7 @@ private:
   struct Survey
   {
     BlockList Blocks; ///< with a small grid for each block that has its arrays
+    std::vector<vtkSmartPointer<vtkUnstructuredGrid>> Forms; ///< of the blocks, once done
     bool IsDone = false;
     bool HasGlobalIds = true; ///< whether points are joined by global ids
   };

@@ -245,6 +245,7 @@ vtkSmartPointer<vtkAlgorithm> MakeExodus(const std::string& file, bool sets)
 {
   vtkNew<ExodusReader> reader;
   reader->SetFileName(file.c_str());
+  reader->ApplyDisplacementsOff(); // coordinates are those of the file
   reader->SetMaps(GetMaps(file));
   reader->UpdateInformation();
   reader->SetAllArrayStatus(vtkExodusIIReader::GLOBAL, 1);

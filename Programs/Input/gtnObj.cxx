@@ -4,7 +4,9 @@
 #include "gtnObj.h"
 
 #include "gtnFailure.h"
+#include "gtnFileKind.h"
 #include "gtnText.h"
+#include "gtnWords.h"
 
 #include "vtkCellArray.h"
 #include "vtkInformation.h"
@@ -20,7 +22,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <exception>
 #include <filesystem>
@@ -28,7 +29,6 @@
 #include <functional>
 #include <set>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -36,30 +36,6 @@ namespace gtn
 {
 namespace
 {
-
-constexpr std::string_view Blanks = " \t\r\v\f";
-
-/** Takes the next word off a line; empty at its end. */
-std::string_view TakeWord(std::string_view& line)
-{
-  line.remove_prefix(std::min(line.find_first_not_of(Blanks), line.size()));
-  const std::string_view word = line.substr(0, line.find_first_of(Blanks));
-  line.remove_prefix(word.size());
-  return word;
-}
-
-/** Whether all of a text is a number. */
-template <typename T>
-bool Parse(std::string_view text, T& number)
-{
-  if (text.starts_with('+') && !text.starts_with("+-"))
-  {
-    text.remove_prefix(1);
-  }
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc() && stop == end;
-}
 
 class ObjParser
 {
@@ -97,6 +73,10 @@ public:
 
   vtkSmartPointer<vtkPolyData> GetSurface() const
   {
+    if (this->Points->GetNumberOfPoints() == 0)
+    {
+      throw Failure(this->File, "has no points");
+    }
     // Points may come behind the faces that use them.
     if (this->Largest > this->Points->GetNumberOfPoints())
     {
@@ -147,7 +127,7 @@ private:
     for (double& coordinate : point)
     {
       const std::string_view word = TakeWord(line);
-      if (!Parse(word, coordinate))
+      if (!ParseWord(word, coordinate))
       {
         this->Fail(word.empty() ? "a point has less than 3 coordinates"
                                 : fmt::format("'{}' is not a coordinate", MakePrintableLine(word)));
@@ -169,7 +149,7 @@ private:
     {
       const vtkIdType points = this->Points->GetNumberOfPoints();
       vtkIdType index = 0;
-      if (!Parse(word.substr(0, word.find('/')), index))
+      if (!ParseWord(word.substr(0, word.find('/')), index))
       {
         this->Fail(fmt::format("'{}' is not a corner of a face", MakePrintableLine(word)));
       }
@@ -208,6 +188,10 @@ vtkSmartPointer<vtkPolyData> ReadObj(const std::string& file,
   if (!stream)
   {
     throw Failure(file, std::strerror(errno));
+  }
+  if (IsWideText(file))
+  {
+    throw Failure(file, "is text in UTF-16; save it as ASCII or UTF-8");
   }
   const auto size = static_cast<double>(std::filesystem::file_size(file));
   ObjParser parser(file);

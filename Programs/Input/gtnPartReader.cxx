@@ -169,14 +169,31 @@ void AppendArrays(const Grids& parts, int association, vtkUnstructuredGrid* whol
   }
 }
 
-void AddFieldData(vtkFieldData* from, vtkFieldData* to)
+// Adds field arrays that are not there yet, and names those that are others than these.
+void AddFieldData(
+  vtkFieldData* from, const std::string& file, const InputOptions& options, vtkFieldData* to)
 {
   for (int i = 0; i < from->GetNumberOfArrays(); ++i)
   {
-    vtkAbstractArray* array = from->GetAbstractArray(i);
-    if (array->GetName() && !to->HasArray(array->GetName()))
+    vtkAbstractArray* const array = from->GetAbstractArray(i);
+    vtkAbstractArray* const known =
+      array->GetName() ? to->GetAbstractArray(array->GetName()) : nullptr;
+    if (array->GetName() && !known)
     {
       to->AddArray(array);
+    }
+    else if (known && !gatun::AreEqual(array, known))
+    {
+      const std::string lost = "the field array '" + MakePrintableLine(array->GetName()) +
+        "' differs between pieces; only that of the first one is kept";
+      if (options.Lost)
+      {
+        options.Lost->insert(lost);
+      }
+      else
+      {
+        SayOnce(file, lost, options.Quiet);
+      }
     }
   }
 }
@@ -282,7 +299,7 @@ vtkSmartPointer<vtkDataObject> ReadParts(
     {
       throw Failure(file, "does not hold a mesh that could be a part of another");
     }
-    AddFieldData(set->GetFieldData(), field);
+    AddFieldData(set->GetFieldData(), file, options, field);
     if (IsEmptyPart(set))
     {
       empty = empty ? empty : data;
@@ -322,7 +339,7 @@ vtkSmartPointer<vtkDataObject> ReadParts(
     output = surface;
   }
   output->GetFieldData()->Initialize();
-  AddFieldData(field, output->GetFieldData());
+  AddFieldData(field, files.front(), options, output->GetFieldData());
   return output;
 }
 
@@ -432,6 +449,7 @@ void PartReader::Read(vtkDataObject* output)
   // The list itself, of which a piece that does not exist has nothing else.
   constexpr int pieces = 1 << 24;
   this->List->UpdatePiece(pieces, pieces + 1, 0);
-  AddFieldData(this->List->GetOutputDataObject(0)->GetFieldData(), output->GetFieldData());
+  AddFieldData(this->List->GetOutputDataObject(0)->GetFieldData(), this->File, this->Options,
+    output->GetFieldData());
 }
 }

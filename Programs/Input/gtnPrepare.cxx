@@ -5,9 +5,11 @@
 
 #include "gtnFailure.h"
 #include "gtnReaders.h"
+#include "gtnSurfaceWriter.h"
 #include "gtnText.h"
 
 #include "gatunArrayBridge.h"
+#include "gatunBlockArrays.h"
 #include "gatunCellInput.h"
 #include "gatunGhosts.h"
 #include "gatunSurfaceGrid.h"
@@ -294,6 +296,38 @@ void Preparer::Lose(const std::string& what)
 }
 
 //------------------------------------------------------------------------------
+void Preparer::NameArrays(vtkUnstructuredGrid* grid)
+{
+  for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    const char* const where = association == vtkDataObject::POINT ? "point" : "cell";
+    for (const std::string& message : gatun::NameArrays(grid->GetAttributes(association), where))
+    {
+      vtkWarningMacro(<< message);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Names the tables of colors of arrays, which a .gtn file does not hold.
+void Preparer::LoseTables(vtkDataSet* data)
+{
+  for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    vtkDataSetAttributes* const attributes = data->GetAttributes(association);
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* const array = attributes->GetArray(i);
+      if (array && array->GetLookupTable())
+      {
+        this->Lose(fmt::format("the lookup table of the {} array '{}' is left out",
+          association == vtkDataObject::POINT ? "point" : "cell", PrintableName(array)));
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // Converts the cells as the options say, with warnings.
 vtkSmartPointer<vtkUnstructuredGrid> Preparer::Convert(vtkUnstructuredGrid* grid, bool isSurface)
 {
@@ -330,6 +364,10 @@ vtkSmartPointer<vtkUnstructuredGrid> Preparer::Convert(vtkUnstructuredGrid* grid
 //------------------------------------------------------------------------------
 void Preparer::MakeOutput(vtkDataObject* input, vtkDataObject* output)
 {
+  if (auto* const set = vtkDataSet::SafeDownCast(input); set && !this->Options.VolumesOnly)
+  {
+    this->LoseTables(set);
+  }
   auto* const surface = vtkPolyData::SafeDownCast(input);
   vtkSmartPointer<vtkUnstructuredGrid> grid = vtkUnstructuredGrid::SafeDownCast(input);
   if (surface)
@@ -364,6 +402,10 @@ void Preparer::MakeOutput(vtkDataObject* input, vtkDataObject* output)
   }
   grid = Copy(grid);
   MakePointsReal(grid);
+  if (!this->Options.VolumesOnly)
+  {
+    this->NameArrays(grid);
+  }
   CheckNames(grid, this->Options.Skip);
   Remove(grid, this->Options.Skip);
   if (!this->Options.AllArrays)
@@ -395,6 +437,13 @@ void Preparer::MakeOutput(vtkDataObject* input, vtkDataObject* output)
     gatun::MakeSurface(grid, gatun::FindSurfaceCells(grid), prepared);
     if (this->Options.Triangles)
     {
+      const vtkIdType degenerate =
+        CountDegenerate(prepared->GetPolys()) + CountDegenerate(prepared->GetStrips());
+      if (degenerate > 0)
+      {
+        vtkWarningMacro(<< degenerate
+                        << " polygons and strips of less than 3 corners are left out");
+      }
       prepared->ShallowCopy(gatun::MakeTriangleSurface(prepared));
     }
   }

@@ -12,6 +12,7 @@
 
 #include <string>
 
+class vtkDataSet;
 class vtkUnstructuredGrid;
 
 namespace gtn
@@ -44,6 +45,8 @@ protected:
 
 private:
   void Lose(const std::string& what);
+  void LoseTables(vtkDataSet* data);
+  void NameArrays(vtkUnstructuredGrid* grid);
   void MakeOutput(vtkDataObject* input, vtkDataObject* output);
   vtkSmartPointer<vtkUnstructuredGrid> Convert(vtkUnstructuredGrid* grid, bool isSurface);
 

@@ -5,6 +5,7 @@
 
 #include "gtnFailure.h"
 #include "gtnFileKind.h"
+#include "gtnFoam.h"
 #include "gtnFormats.h"
 #include "gtnGridReader.h"
 #include "gtnLegacyReader.h"
@@ -12,7 +13,9 @@
 #include "gtnMeshio.h"
 #include "gtnMessages.h"
 #include "gtnObj.h"
+#include "gtnPly.h"
 #include "gtnReadable.h"
+#include "gtnScene.h"
 #include "gtnScratch.h"
 #include "gtnText.h"
 #include "gtnXMLPieces.h"
@@ -23,15 +26,12 @@
 #include "vtkGatunReader.h"
 #include "vtkGatunSurfaceReader.h"
 
-#include "vtkCompositeDataGeometryFilter.h"
 #include "vtkGLTFReader.h"
 #include "vtkGenericEnSightReader.h"
 #include "vtkMetaImageReader.h"
 #include "vtkNIFTIImageReader.h"
 #include "vtkNew.h"
 #include "vtkNrrdReader.h"
-#include "vtkOpenFOAMReader.h"
-#include "vtkPLYReader.h"
 #include "vtkSLCReader.h"
 #include "vtkSTLReader.h"
 #include "vtkXMLGenericDataObjectReader.h"
@@ -39,11 +39,9 @@
 #include "vtkXMLPartitionedDataSetCollectionReader.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <initializer_list>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 namespace gtn
@@ -75,7 +73,7 @@ vtkSmartPointer<vtkAlgorithm> MakeGLTF(const std::string& file)
 {
   vtkNew<vtkGLTFReader> reader;
   reader->SetFileName(file.c_str());
-  vtkNew<vtkCompositeDataGeometryFilter> together;
+  vtkNew<SceneMerger> together;
   together->SetInputConnection(reader->GetOutputPort());
   return together;
 }
@@ -139,51 +137,6 @@ void CheckIsCGNS(const std::string& file)
   }
 }
 
-void CheckIsReconstructed(const std::string& file)
-{
-  namespace fs = std::filesystem;
-  const fs::path folder = fs::absolute(file).parent_path();
-  std::error_code error;
-  if (!fs::exists(folder / "constant" / "polyMesh", error) &&
-    fs::exists(folder / "processor0", error))
-  {
-    throw Failure(file,
-      "is a decomposed OpenFOAM case, whose mesh is in the folders processor0, ...; make it one "
-      "mesh with reconstructPar (or reconstructParMesh) first");
-  }
-}
-
-// VTK 9.6 never decomposes polyhedra.
-template <typename Reader>
-void KeepPolyhedra(Reader* reader)
-{
-  if constexpr (requires { reader->DecomposePolyhedraOff(); })
-  {
-    reader->DecomposePolyhedraOff();
-  }
-}
-
-// The file is empty; the case is in the folder around it.
-vtkSmartPointer<vtkAlgorithm> MakeOpenFOAM(const std::string& file, bool sets)
-{
-  CheckIsReconstructed(file);
-  vtkNew<vtkOpenFOAMReader> reader;
-  reader->SetFileName(file.c_str());
-  KeepPolyhedra(reader.Get());
-  reader->CreateCellToPointOff();
-  reader->CacheMeshOff();
-  reader->UpdateInformation();
-  reader->DisableAllPatchArrays();
-  for (int i = 0; i < reader->GetNumberOfPatchArrays(); ++i)
-  {
-    const char* const name = reader->GetPatchArrayName(i);
-    reader->SetPatchArrayStatus(name, sets || std::string_view(name) == "internalMesh" ? 1 : 0);
-  }
-  reader->EnableAllCellArrays();
-  reader->EnableAllPointArrays();
-  return reader;
-}
-
 vtkSmartPointer<vtkAlgorithm> MakeCGNS(const std::string& file, bool sets)
 {
   const auto make = GetFormatReaders().MakeCGNS;
@@ -202,6 +155,7 @@ vtkSmartPointer<vtkAlgorithm> MakeCGNS(const std::string& file, bool sets)
 vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
 {
   const std::string extension = ExtensionOf(file);
+  CheckXMLType(file);
   if (extension == ".gtn")
   {
     return MakeGatun(file);
@@ -233,7 +187,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
   }
   if (extension == ".foam")
   {
-    return MakeOpenFOAM(file, sets);
+    return MakeFoamReader(file, sets);
   }
   if (extension == ".cgns")
   {
@@ -262,13 +216,7 @@ std::vector<std::string> ListSets(const std::string& file)
   else if (ExtensionOf(file) == ".foam")
   {
     CheckReadable(file);
-    const vtkSmartPointer<vtkAlgorithm> made = MakeOpenFOAM(file, false);
-    auto* const reader = vtkOpenFOAMReader::SafeDownCast(made);
-    for (int i = 0; i < reader->GetNumberOfPatchArrays(); ++i)
-    {
-      names.emplace_back(reader->GetPatchArrayName(i));
-    }
-    std::erase(names, "internalMesh");
+    names = ListFoamPatches(file);
   }
   TakeErrors(); // reading the file reports them again
   TakeWarnings();
@@ -372,6 +320,7 @@ vtkSmartPointer<vtkAlgorithm> MakeExodusReader(
 vtkSmartPointer<vtkAlgorithm> MakeVolumeReader(const std::string& file)
 {
   const std::string extension = ExtensionOf(file);
+  CheckXMLType(file);
   if (extension == ".ghv")
   {
     return Make<vtkGatunHartleyReader>(file);
@@ -395,6 +344,7 @@ vtkSmartPointer<vtkAlgorithm> MakeVolumeReader(const std::string& file)
   }
   if (IsOneOf(extension, { ".nrrd", ".nhdr" }))
   {
+    CheckNrrd(file);
     return Make<vtkNrrdReader>(file);
   }
   if (extension == ".slc")
@@ -412,13 +362,14 @@ vtkSmartPointer<vtkAlgorithm> MakeVolumeReader(const std::string& file)
 vtkSmartPointer<vtkAlgorithm> MakeSurfaceReader(const std::string& file)
 {
   const std::string extension = ExtensionOf(file);
+  CheckXMLType(file);
   if (extension == ".stl")
   {
     return Make<vtkSTLReader>(file);
   }
   if (extension == ".ply")
   {
-    return Make<vtkPLYReader>(file);
+    return Make<PlyReader>(file);
   }
   if (extension == ".obj")
   {

@@ -104,6 +104,14 @@ void ChooseArray(vtkImageData* volume, const VolumeInputOptions& options)
         : fmt::format("has no array '{}' on the points; there are {}",
             MakePrintableLine(options.Array), there));
   }
+  if (array->GetNumberOfComponents() != 1)
+  {
+    throw Failure(file,
+      fmt::format("the point array '{}' has {} components, and a volume has one; save one of them, "
+                  "such as by Calculator of ParaView",
+        MakePrintableLine(array->GetName() ? array->GetName() : ""),
+        array->GetNumberOfComponents()));
+  }
   data->Initialize();
   data->SetScalars(array);
 }

@@ -90,7 +90,9 @@ void AddCompression(CLI::App* command, CompressionOptions& options, const char* 
                             "Quality, 1 to 100: an increase of 10 halves the quantizer's step",
                             "Q [60]"),
     add("--rms-error", Mode::RMSError, 0, most,
-      "Upper bound of the root mean square error, in the unit of the values; 0: lossless", "E"),
+      "Upper bound of the root mean square error, in the unit of the values; 0: integers "
+      "lossless, floating-point values up to rounding",
+      "E"),
     add("--psnr", Mode::PSNR, 1, 200,
       "Lower bound of the peak signal-to-noise ratio, in dB: 20 log10(range / root mean square "
       "error)",

@@ -10,18 +10,22 @@
 #include "gtnText.h"
 #include "gtnWriteGatun.h"
 
+#include "gatunSurfaceCells.h"
+#include "gatunSurfaceTriangles.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCellTypes.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataWriter.h"
 #include "vtkSTLWriter.h"
 #include "vtkSmartPointer.h"
-#include "vtkTriangleFilter.h"
 #include "vtkTriangleStrip.h"
 #include "vtkXMLPolyDataWriter.h"
 
@@ -32,6 +36,7 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
+#include <set>
 #include <vector>
 
 namespace gtn
@@ -40,6 +45,41 @@ const char* const SurfaceFormats = ".gtn .vtp .vtk .stl .ply .obj";
 
 namespace
 {
+/** Tells the types of its cells from its lists. VTK crashes, as it does for the types of all cells,
+ * if a polygon or strip has less than 3 corners. */
+class ListedSurface : public vtkPolyData
+{
+public:
+  static ListedSurface* New();
+  vtkTypeMacro(ListedSurface, vtkPolyData);
+
+  void GetCellTypes(vtkCellTypes* types) override { this->ListTypes(types); }
+  virtual void GetDistinctCellTypes(vtkCellTypes* types) { this->ListTypes(types); } // VTK 9.6
+
+private:
+  void ListTypes(vtkCellTypes* types)
+  {
+    std::set<unsigned char> found;
+    std::size_t list = 0;
+    for (vtkCellArray* const cells :
+      { this->GetVerts(), this->GetLines(), this->GetPolys(), this->GetStrips() })
+    {
+      for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+      {
+        found.insert(
+          gatun::GetSurfaceCell(static_cast<gatun::SurfaceList>(list), cells->GetCellSize(i)));
+      }
+      ++list;
+    }
+    types->Reset();
+    for (const unsigned char type : found)
+    {
+      types->InsertNextType(type);
+    }
+  }
+};
+vtkStandardNewMacro(ListedSurface);
+
 void Report(Progress& progress, vtkIdType done, vtkIdType count)
 {
   if (done % 4096 == 0)
@@ -52,8 +92,10 @@ void Report(Progress& progress, vtkIdType done, vtkIdType count)
 void WriteVtp(
   vtkPolyData* surface, const std::string& file, Compressor compressor, Progress& progress)
 {
+  vtkNew<ListedSurface> listed;
+  listed->ShallowCopy(surface);
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(surface);
+  writer->SetInputData(listed);
   writer->SetFileName(file.c_str());
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
@@ -182,6 +224,10 @@ void WriteObj(vtkPolyData* surface, const std::string& file, Progress& progress)
     vtkIdType size = 0;
     const vtkIdType* corners = nullptr;
     surface->GetPolys()->GetCellAtId(i, size, corners);
+    if (size < 3)
+    {
+      continue;
+    }
     fmt::format_to(to, "f");
     for (vtkIdType k = 0; k < size; ++k)
     {
@@ -212,14 +258,8 @@ vtkSmartPointer<vtkPolyData> Divide(vtkPolyData* surface, bool trianglesOnly)
     vtkTriangleStrip::DecomposeStrip(static_cast<int>(size), corners, polygons);
   }
   divided->SetPolys(polygons);
-  if (!trianglesOnly || polygons->IsHomogeneous() == 3 || polygons->GetNumberOfCells() == 0)
-  {
-    return divided;
-  }
-  vtkNew<vtkTriangleFilter> filter;
-  filter->SetInputData(divided);
-  filter->Update();
-  return filter->GetOutput();
+  return trianglesOnly ? gatun::MakeTriangleSurface(divided)
+                       : vtkSmartPointer<vtkPolyData>(divided);
 }
 
 void AddCount(std::vector<std::string>& list, vtkIdType count, const char* what)
@@ -237,21 +277,33 @@ SurfaceFormat GetSurfaceFormat(const std::string& file)
   const std::string extension = ExtensionOf(file);
   if (extension == ".vtp" || extension == ".gtn" || extension == ".vtk")
   {
-    return { true, true, true, true, true };
+    return { true, true, true, true, true, true };
   }
   if (extension == ".obj")
   {
-    return { true, false, false, true, true };
+    return { true, false, false, true, true, false };
   }
   if (extension == ".ply")
   {
-    return { true, false, false, true, false };
+    return { true, false, false, true, false, true };
   }
   if (extension == ".stl")
   {
     return {};
   }
   throw UsageError(file + ": the name must end in .gtn, .vtp, .vtk, .stl, .ply or .obj");
+}
+
+//------------------------------------------------------------------------------
+// VTK's lists may have such, and formats of triangles and faces cannot.
+vtkIdType CountDegenerate(vtkCellArray* cells)
+{
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    count += cells->GetCellSize(i) < 3 ? 1 : 0;
+  }
+  return count;
 }
 
 //------------------------------------------------------------------------------
@@ -263,6 +315,10 @@ std::string ListLost(vtkPolyData* surface, const std::string& file)
   {
     AddCount(lost, surface->GetNumberOfVerts(), "vertices");
     AddCount(lost, surface->GetNumberOfLines(), "lines");
+    AddCount(lost,
+      (format.Degenerate ? 0 : CountDegenerate(surface->GetPolys())) +
+        CountDegenerate(surface->GetStrips()),
+      "polygons and strips of less than 3 corners");
     const bool hasNormals = format.Normals && surface->GetPointData()->GetNormals();
     AddCount(lost,
       surface->GetPointData()->GetNumberOfArrays() + surface->GetCellData()->GetNumberOfArrays() +

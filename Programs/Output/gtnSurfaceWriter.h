@@ -5,8 +5,11 @@
 
 #include "gtnGridWriter.h"
 
+#include "vtkType.h"
+
 #include <string>
 
+class vtkCellArray;
 class vtkPolyData;
 
 namespace gtn
@@ -22,12 +25,16 @@ struct SurfaceFormat
   bool Polygons = false; ///< of any size
   bool Arrays = false;   ///< and lines, and vertices
   bool Strips = false;
-  bool Normals = false; ///< of points
-  bool Double = false;  ///< coordinates of double precision
+  bool Normals = false;    ///< of points
+  bool Double = false;     ///< coordinates of double precision
+  bool Degenerate = false; ///< polygons of less than 3 corners
 };
 
 /** Of a file, by its extension. Throws UsageError for those that there are none for. */
 SurfaceFormat GetSurfaceFormat(const std::string& file);
+
+/** The number of polygons or strips of less than 3 corners, which VTK's lists may have. */
+vtkIdType CountDegenerate(vtkCellArray* cells);
 
 /** "2 lines, 3 arrays": what the format of a file cannot hold of a surface. Empty if it holds all.
  */

@@ -7,6 +7,11 @@
 
 #include "gtnXMLKeys.h"
 
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
@@ -58,11 +63,33 @@ std::string NameOfXMLType(int type);
  * VTK's readers would take for that type. */
 std::string PreparePieces(vtkXMLDataElement* mesh);
 
-/** A reader of VTK that reads empty pieces, too, and refuses pieces that differ in their types. */
+/** A reader of VTK that reads empty pieces, too, and refuses pieces that differ in their types. Of
+ * several time steps in a file, each has a reader of its own: VTK 9.1 appends the cells of each
+ * step to those of the one before. */
 template <typename Reader>
 class XMLPieceReader : public Reader
 {
 protected:
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override
+  {
+    vtkInformation* const info = outputVector->GetInformationObject(0);
+    auto* const step = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+    if (this->IsOfStep || this->GetNumberOfTimeSteps() < 2 || !info->Has(step))
+    {
+      return this->Reader::RequestData(request, inputVector, outputVector);
+    }
+    auto fresh = vtk::TakeSmartPointer(this->NewInstance());
+    static_cast<XMLPieceReader*>(fresh.Get())->IsOfStep = true;
+    fresh->SetFileName(this->GetFileName());
+    fresh->UpdateInformation();
+    fresh->UpdateTimeStep(info->Get(step));
+    vtkDataObject* const output = vtkDataObject::GetData(outputVector);
+    output->ShallowCopy(fresh->GetOutputDataObject(0));
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), info->Get(step));
+    return fresh->GetErrorCode() == 0 ? 1 : 0;
+  }
+
   int ReadPrimaryElement(vtkXMLDataElement* mesh) override
   {
     MakeUnknownKeys(mesh);
@@ -74,6 +101,9 @@ protected:
     }
     return this->Reader::ReadPrimaryElement(mesh);
   }
+
+private:
+  bool IsOfStep = false; // the reader of one time step
 };
 
 class XMLSurfaceReader : public XMLPieceReader<vtkXMLPolyDataReader>

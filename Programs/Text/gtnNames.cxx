@@ -14,6 +14,10 @@ namespace gtn
 //------------------------------------------------------------------------------
 std::string ListCells(const gatun::FileReader& file)
 {
+  if (file.GetNumberOfCells() == 0)
+  {
+    return "no cells";
+  }
   if (file.IsTetrahedral())
   {
     return GroupDigits(file.GetNumberOfTets()) + " tetrahedra";

@@ -123,7 +123,19 @@ std::string ExplainRefusal(const std::string& file, const std::string& message)
   {
     return "is truncated: it does not end in </VTKFile> (" + message + ")";
   }
-  const std::string word = ExtensionOf(file) == ".vtk" ? FindNonNumber(file) : std::string();
+  const std::string extension = ExtensionOf(file);
+  if (extension == ".stl" && message.find("found 'end'") != message.npos)
+  {
+    return "has 'end solid' where 'endsolid' must be (" + message + ")";
+  }
+  if ((extension == ".nrrd" || extension == ".nhdr") &&
+    (message.find("skip") != message.npos || message.find("encoding") != message.npos))
+  {
+    return message +
+      "; write it with the encoding raw or gzip, and all values in one file without "
+      "skips";
+  }
+  const std::string word = extension == ".vtk" ? FindNonNumber(file) : std::string();
   if (!word.empty())
   {
     return "has " + word + " in text, which VTK does not read; write the file in binary (" +

@@ -190,5 +190,10 @@ else:
             marked = np.flatnonzero(vtk_to_numpy(back.GetPointData().GetArray("fixed")))
             assert set(expected.point_sets) >= {"fixed"} and list(marked) == [3, 5], marked
             assert back.GetCellData().HasArray("front") == ("front" in expected.cell_sets)
+            assert back.GetFieldData().GetAbstractArray("PointSets").GetValue(0) == "fixed"
         if name == "a.msh":
             assert expected.field_data, "Gmsh has names of groups"
+    for text, what in (("*HEADING\nnone\n", "points"), ("*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n", "cells")):
+        with open("empty.inp", "w") as file:
+            file.write(text)
+        gtn("pack", "empty.inp", "new.gtn", code=1, says=f"empty.inp: meshio finds no {what} in it")

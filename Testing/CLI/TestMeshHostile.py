@@ -69,7 +69,7 @@ refuse("bad.obj", "v 0 0\n", "line 1: a point has less than 3 coordinates")
 refuse("bad.obj", "v 0 0 zero\n", "line 1: 'zero' is not a coordinate")
 refuse("bad.obj", "v 0 0 1e999\n", "line 1: '1e999' is not a coordinate")
 refuse("bad.obj", "v nan 0 0\nf 1 1 1\n", "the surface has a coordinate that is not finite")
-refuse("bad.obj", bytes(range(256)) * 40, "the surface has no triangles")
+refuse("bad.obj", bytes(range(256)) * 40, "has no points")
 refuse("bad.obj", b"v 0 0 0\nf 1 1 1\0\n", "line 2: ")
 
 PLY = "ply\nformat ascii 1.0\nelement vertex 3\n" + "".join(

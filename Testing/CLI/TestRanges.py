@@ -355,7 +355,7 @@ damage(b"offsets", 7, 1 << 62, "the offsets of cell 7 are wrong")
 damage(b"offsets", 7, -5, "the offsets of cell 7 are wrong")
 damage(b"connectivity", -1, 8, "the offsets of cell 0 are wrong")  # the number of bytes
 damage(b"connectivity", -1, 1 << 40, "reaches behind the end of the file")
-damage(b"types", 3, 12, "cell 3 has 4 points, not 8", form="<B")
+damage(b"types", 3, 12, "cell 3 (type 12, vtkHexahedron) has 4 points, not 8", form="<B")
 
 
 def replace(old, new, says):

@@ -64,7 +64,7 @@ refuse(good, "FileName", to="", expected=vtkErrorCode.NoFileNameError)
 # Cells.
 for kind, size, right in ((c.VTK_HEXAHEDRON, 7, 8), (c.VTK_WEDGE, 8, 6), (c.VTK_PYRAMID, 4, 5),
                           (c.VTK_QUADRATIC_HEXAHEDRON, 19, 20), (c.VTK_TETRA, 5, 4)):
-    refuse(cells_of(kind, size), "cell 0 has %d points, not %d" % (size, right))
+    refuse(cells_of(kind, size), "has %d points, not %d" % (size, right))
 refuse(cells_of(99, 3), "2 of type 99", SplitCells=True)
 # A polyhedron without points in a grid that has none.
 nothing = vtkUnstructuredGrid()
@@ -141,7 +141,7 @@ for value in range(9):
     corners.InsertNextValue(value)
 cells.SetData(offsets, corners)
 five.SetCells(c.VTK_TETRA, cells)
-refuse(five, "cell 1 has 5 points, not 4")
+refuse(five, "cell 1 (type 10, vtkTetra) has 5 points, not 4")
 
 
 # Arrays.
