@@ -23,6 +23,7 @@ gatun_core_folder(Write
     gatunBoundaryMesh.h
     gatunCellSubset.h
     gatunDependencySection.h
+    gatunFileWriterInternals.h
     gatunGatherTuples.h
     gatunMeshSection.h
     gatunPageSection.h
@@ -47,6 +48,7 @@ gatun_core_folder(Write
     gatunCellSubset.cxx
     gatunDependencySection.cxx
     gatunFileWriter.cxx
+    gatunFileWriterSeries.cxx
     gatunMeshSection.cxx
     gatunPartAgreement.cxx
     gatunPartAssembly.cxx

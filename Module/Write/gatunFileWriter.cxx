@@ -3,27 +3,18 @@
 
 #include "gatunFileWriter.h"
 
-#include "gatunBaseMesh.h"
-#include "gatunBoundaryMesh.h"
-#include "gatunCellSubset.h"
 #include "gatunDependencySection.h"
 #include "gatunDomainSurvey.h"
 #include "gatunFileReader.h"
 #include "gatunFileReaderInternals.h"
+#include "gatunFileWriterInternals.h"
 #include "gatunKeepMemory.h"
 #include "gatunLayerTable.h"
-#include "gatunMeshSection.h"
 #include "gatunParallel.h"
 #include "gatunRoundedArrays.h"
 #include "gatunSeriesTable.h"
-#include "gatunStepSection.h"
-#include "gatunTreeSection.h"
 #include "gatunWriterCheck.h"
-#include "gatunWriterPart.h"
-#include "gatunWriterState.h"
 
-#include <array>
-#include <charconv>
 #include <optional>
 #include <utility>
 
@@ -57,12 +48,6 @@ std::unique_ptr<RoundedArray> RoundLayerValues(
   return rounded;
 }
 
-std::string ToText(double time)
-{
-  std::array<char, 32> digits{};
-  return { digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), time).ptr };
-}
-
 /** The arrays of a mesh with the coordinates, if they move. */
 std::vector<ArrayDescription> ListArrays(
   std::vector<ArrayDescription> arrays, const MeshInput& mesh, const WriterOptions& options)
@@ -73,117 +58,6 @@ std::vector<ArrayDescription> ListArrays(
   }
   return arrays;
 }
-}
-
-//------------------------------------------------------------------------------
-class FileWriter::Internals
-{
-public:
-  Internals(const std::string& path, const MeshInput& mesh,
-    const std::vector<ArrayDescription>& arrays, const WriterOptions& options)
-    : State(path, arrays, options)
-    , Part(mesh)
-  {
-  }
-
-  /** The meshes and time steps of a file, to which others are added. */
-  Internals(const FileReader& file, const WriterOptions& options);
-
-  /** A base mesh or the boundary of another writer's file. */
-  Internals(const Internals& whole, const MeshInput& mesh, const WriterOptions& options)
-    : Internals(whole, mesh, whole.State.Meta.Arrays, options)
-  {
-  }
-
-  /** Another mesh of the series. */
-  Internals(const Internals& whole, const MeshInput& mesh,
-    const std::vector<ArrayDescription>& arrays, const WriterOptions& options)
-    : State(whole.State, arrays, options)
-    , Part(mesh)
-  {
-  }
-
-  /** Divides the mesh into chunks, and encodes them if they must not wait for the values. */
-  void Begin(const Progress& progress);
-  void WriteStep(std::span<const void* const> values, const FieldData& field, bool hasTime,
-    double time, const Progress& progress, const std::vector<std::vector<Domain>>* rounded = {},
-    const CellSubset* remaining = nullptr);
-  std::uint32_t AddMesh(const MeshInput& mesh, const std::vector<ArrayDescription>& arrays,
-    const WriterOptions& options, const Progress& progress);
-  void UseMesh(std::uint32_t mesh);
-
-  /** The options of a mesh that is added to a file, or as they are. */
-  WriterOptions FitOptions(WriterOptions options) const;
-
-  void WriteSeriesStep(std::span<const void* const> values, const FieldData& field, bool hasTime,
-    double time, const Progress& progress, const void* coordinates,
-    const RemainingCells* remaining);
-  FileStatistics Finish();
-
-private:
-  /** A mesh made of this one, which is written as a file of its own and embedded at the end. */
-  template <typename MeshT>
-  struct Embedded
-  {
-    MeshT Mesh;
-    WriterOptions Options;
-    std::unique_ptr<Internals> File;
-    std::optional<MergeTree> Tree = {}; // of the boundary
-  };
-  using Level = Embedded<BaseMesh>;
-
-  void WriteMesh(const Progress& progress);
-  void FindDomains();
-  void BeginLevels(const Progress& progress);
-  std::unique_ptr<Level> MakeLevel(std::uint32_t merges, const Progress& progress) const;
-  void WriteBoundary(const Progress& progress);
-  template <typename MeshT>
-  void WriteEmbeddedStep(const Embedded<MeshT>& embedded, std::span<const void* const> values,
-    bool hasTime, double time, const std::vector<std::vector<Domain>>& domains) const;
-  std::uint64_t AddEmbedded(FourCC section, Internals& embedded);
-  void CheckLayers(const StepTable& step) const;
-  void EndOther();
-  std::uint32_t WriteMask(CellMask mask);
-  void WriteRemaining(std::span<const void* const> values, const FieldData& field, double time,
-    const Progress& progress, const RemainingCells& remaining, StoredStep& stored);
-  void Complete();
-  void WriteTables();
-
-  WriterState State;
-  WriterPart Part; // all of the mesh
-  MeshSection Mesh{ State };
-  StepSection Steps{ State };
-  bool IsMeshWritten = false;
-  std::uint32_t Masks = 0; // that have been written
-  CellMask LastMask;
-  std::optional<TreeSection> Tree;
-  std::vector<std::uint32_t> Merges; // of the levels
-  std::vector<std::unique_ptr<Level>> Levels;
-  std::unique_ptr<Embedded<BoundaryMesh>> Boundary;
-  std::unique_ptr<Internals> Other; // the mesh that was added last
-  std::uint32_t NumberOfMeshes = 1;
-  std::uint32_t NextMesh = 0; // that the next step has
-  std::vector<StoredStep> Series;
-  bool IsAppending = false; // the first meshes are in the file
-};
-
-//------------------------------------------------------------------------------
-FileWriter::Internals::Internals(const FileReader& file, const WriterOptions& options)
-  : State(InternalsOf(file).File, options)
-  , Part(MeshInput())
-  , Series(InternalsOf(file).Stored)
-  , IsAppending(true)
-{
-  if (!file.HasTime())
-  {
-    InternalsOf(file).File.Fail(
-      ErrorCode::CannotOpen, "the file has no time, so that no steps can be added");
-  }
-  for (const double time : this->Series.empty() ? file.GetTimes() : std::vector<double>())
-  {
-    this->Series.push_back({ 0, 0, time });
-  }
-  this->NumberOfMeshes = static_cast<std::uint32_t>(InternalsOf(file).Meshes.size() + 1);
 }
 
 //------------------------------------------------------------------------------
@@ -433,144 +307,6 @@ std::uint64_t FileWriter::Internals::AddEmbedded(FourCC section, Internals& embe
 }
 
 //------------------------------------------------------------------------------
-/** Adds a mesh to the series, in a file of its own that is embedded behind its last step. */
-std::uint32_t FileWriter::Internals::AddMesh(const MeshInput& mesh,
-  const std::vector<ArrayDescription>& arrays, const WriterOptions& options,
-  const Progress& progress)
-{
-  if (options.IsSurface != this->State.Options.IsSurface)
-  {
-    ThrowInvalid("some meshes of the series are surfaces, and some are not");
-  }
-  this->EndOther();
-  this->Other = std::make_unique<Internals>(*this, mesh, arrays, options);
-  this->Other->Begin(progress);
-  this->NextMesh = this->NumberOfMeshes;
-  return this->NumberOfMeshes++;
-}
-
-//------------------------------------------------------------------------------
-WriterOptions FileWriter::Internals::FitOptions(WriterOptions options) const
-{
-  if (this->IsAppending)
-  {
-    options.Keep = this->State.Options.Keep;
-    options.ChunkSize = this->State.Options.ChunkSize;
-    options.KeyStepInterval = this->State.Options.KeyStepInterval;
-  }
-  return options;
-}
-
-//------------------------------------------------------------------------------
-void FileWriter::Internals::EndOther()
-{
-  if (this->Other)
-  {
-    if (this->Other->Steps.GetCount() == 0)
-    {
-      ThrowInvalid("a mesh of the series has no time step");
-    }
-    this->State.Statistics.OtherMeshBytes += this->AddEmbedded(SectionGrid, *this->Other);
-    this->Other.reset();
-  }
-}
-
-//------------------------------------------------------------------------------
-void FileWriter::Internals::UseMesh(std::uint32_t mesh)
-{
-  if ((mesh != 0 || this->IsAppending) && mesh + 1 != this->NumberOfMeshes)
-  {
-    ThrowInvalid("only the first and the last mesh of a series can have more time steps");
-  }
-  this->NextMesh = mesh;
-}
-
-//------------------------------------------------------------------------------
-/** Writes a step of the mesh that is used. */
-void FileWriter::Internals::WriteSeriesStep(std::span<const void* const> values,
-  const FieldData& field, bool hasTime, double time, const Progress& progress,
-  const void* coordinates, const RemainingCells* remaining)
-{
-  if (!this->Series.empty() && !(hasTime && time > this->Series.back().Time))
-  {
-    ThrowInvalid(
-      "the times of the steps must ascend: " + (hasTime ? ToText(time) : "a step without time") +
-      " follows " + ToText(this->Series.back().Time));
-  }
-  if (this->IsAppending && !this->Other)
-  {
-    ThrowInvalid("the steps that are added need a mesh");
-  }
-  if (this->NumberOfMeshes > 1 && (this->Series.empty() || !hasTime))
-  {
-    ThrowInvalid("a mesh that changes needs time, and a step of the first mesh");
-  }
-  Internals& mesh = this->NextMesh == 0 ? *this : *this->Other;
-  if (remaining && remaining->DropsPoints && mesh.State.Options.PointsMove && !coordinates)
-  {
-    ThrowInvalid("a step with fewer points has no coordinates");
-  }
-  std::vector<const void*> all(values.begin(), values.end());
-  if (mesh.State.Options.PointsMove)
-  {
-    all.push_back(coordinates ? coordinates : mesh.Part.Mesh.GetMesh().Coordinates);
-  }
-  StoredStep stored{ this->NextMesh, 0, time };
-  if (remaining)
-  {
-    mesh.WriteRemaining(all, field, time, progress, *remaining, stored);
-  }
-  else
-  {
-    mesh.WriteStep(all, field, hasTime, time, progress);
-  }
-  this->Series.push_back(stored);
-}
-
-//------------------------------------------------------------------------------
-/** Writes a step of which some cells are not alive. Sets the mask that it has. */
-void FileWriter::Internals::WriteRemaining(std::span<const void* const> values,
-  const FieldData& field, double time, const Progress& progress, const RemainingCells& remaining,
-  StoredStep& stored)
-{
-  if (this->Steps.GetCount() == 0 || this->Tree || this->Boundary)
-  {
-    ThrowInvalid(
-      "the first step of a mesh must have all of its cells, and cells can be left out only "
-      "without hierarchy and boundary");
-  }
-  const CellSubset subset(this->Part.Mesh, remaining);
-  std::vector<Bytes> spread;
-  std::vector<const void*> pointers;
-  for (std::size_t a = 0; a < values.size(); ++a)
-  {
-    const auto& array = this->State.Meta.Arrays[a];
-    spread.push_back(subset.Spread(values[a], array.Where, array.Components * SizeOf(array.Type),
-      this->Steps.GetBefore().at(a)));
-    pointers.push_back(spread.back().data());
-  }
-  stored.Mask = this->WriteMask(subset.MakeMask(this->Part));
-  this->WriteStep(pointers, field, true, time, progress, nullptr, &subset);
-}
-
-//------------------------------------------------------------------------------
-/** Writes a mask unless it is the last one. Returns its number. */
-std::uint32_t FileWriter::Internals::WriteMask(CellMask mask)
-{
-  // A reader needs all masks since the last one that stands alone.
-  constexpr std::uint32_t distance = 16;
-  if (this->Masks == 0 || !(mask == this->LastMask))
-  {
-    const bool isRelative = this->Masks % distance != 0;
-    this->State.File.AddSection(
-      SectionLive, mask.Write(isRelative ? &this->LastMask : nullptr, this->State.HasCells));
-    this->LastMask = std::move(mask);
-    ++this->Masks;
-  }
-  return this->Masks;
-}
-
-//------------------------------------------------------------------------------
 /** Writes all but the directory. */
 void FileWriter::Internals::Complete()
 {
@@ -619,6 +355,11 @@ FileWriter::FileWriter(const std::string& path, const MeshInput& mesh,
 FileWriter::FileWriter(Append, const std::string& path)
 {
   const FileReader file(path);
+  if (!file.HasTime())
+  {
+    InternalsOf(file).File.Fail(
+      ErrorCode::CannotOpen, "the file has no time, so that no steps can be added");
+  }
   WriterOptions options;
   options.Keep = file.GetKeptOrder();
   options.ChunkSize = InternalsOf(file).Meta.ChunkSize;
