@@ -8,7 +8,7 @@ import os
 
 import gatunSample as sample
 import numpy as np
-from gatunParaView import load_plugin, rank_and_ranks
+from gatunParaView import load_plugin, load_state, rank_and_ranks
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import reference
 
@@ -177,7 +177,7 @@ simple.SaveState(state)
 for source in list(simple.GetSources().values()):
     simple.Delete(source)
 assert not simple.GetSources()
-simple.LoadState(state)
+load_state(state)
 found = [source for source in simple.GetSources().values()
          if source.GetXMLName() == "GatunContour" and list(source.Isosurfaces) == [0.7]]
 assert len(found) == 1, found

@@ -7,7 +7,7 @@ import os
 
 import gatunSample as sample
 import numpy as np
-from gatunParaView import load_plugin, rank_and_ranks
+from gatunParaView import load_plugin, load_state, rank_and_ranks
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 simple = load_plugin()
@@ -92,7 +92,7 @@ kept = values(projection, "Color")[1]
 simple.SaveState(state)
 for source in list(simple.GetSources().values()):
     simple.Delete(source)
-simple.LoadState(state)
+load_state(state)
 again = [source for source in simple.GetSources().values()
          if source.GetXMLName() == "GatunHartleyProjection" and source.UseBackground]
 assert len(again) == 1 and list(again[0].Opacities) == [0, 1, 1, 0]

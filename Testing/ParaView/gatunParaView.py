@@ -20,3 +20,12 @@ def rank_and_ranks():
     """Number of this MPI process and how many there are."""
     module = servermanager.vtkProcessModule.GetProcessModule()
     return module.GetPartitionId(), module.GetNumberOfLocalPartitions()
+
+
+def load_state(path):
+    """Loads a state on any number of ranks. simple.LoadState of ParaView 6.1 never ends on several ranks,
+    whatever is in the state, since it reads the file through a source that the other ranks do not run."""
+    parser = servermanager.vtkPVXMLParser()
+    parser.SetFileName(path)
+    assert parser.Parse(), path
+    servermanager.ProxyManager().SMProxyManager.LoadXMLState(parser.GetRootElement())
