@@ -82,7 +82,8 @@ TreeTable TreeTable::Read(std::span<const std::uint8_t> bytes, const MetaTable& 
     "the last merge count is not that of all merges");
   Check(numberOfChunks * tree.MergeCounts.size() <= in.GetRemaining() / (3 * RangeBytes),
     "the bounds of chunks after merges are not all there");
-  tree.Boxes.assign(numberOfChunks, std::vector<Bounds>(tree.MergeCounts.size()));
+  // Not assign(), of which GCC 16 warns at an offset of 2^63 (-Warray-bounds).
+  tree.Boxes = std::vector(numberOfChunks, std::vector<Bounds>(tree.MergeCounts.size()));
   for (auto& mergeCounts : tree.Boxes)
   {
     for (Bounds& box : mergeCounts)

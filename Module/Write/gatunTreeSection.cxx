@@ -53,8 +53,8 @@ std::vector<std::uint32_t> TreeSection::GetPointOrder() const
 //------------------------------------------------------------------------------
 void TreeSection::FindBoxes()
 {
-  this->Tree.Boxes.assign(
-    this->Part.Chunks.size(), std::vector<Bounds>(this->Tree.MergeCounts.size()));
+  this->Tree.Boxes =
+    std::vector(this->Part.Chunks.size(), std::vector<Bounds>(this->Tree.MergeCounts.size()));
   for (unsigned axis = 0; axis < 3; ++axis)
   {
     const auto ranges = this->Layout.FindRanges([&](std::uint32_t point)
