@@ -11,7 +11,7 @@ from vtkmodules.util import vtkConstants as c
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkCommonCore import vtkSMPTools
-from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkBezierWedge, vtkLagrangeWedge, vtkUnstructuredGrid
 
 import gatunMeshes as gm
 from gatun import vtkGatunReader
@@ -106,11 +106,36 @@ for levels in (0, 1):
         assert described(part) == described(whole, same)
 assert sorted(seen) == list(range(grid.GetNumberOfCells()))
 
+def volumes(tets):
+    a, b, d, e = np.moveaxis(gm.coordinates(tets)[gm.connectivity(tets)], 1, 0)
+    return np.einsum("ij,ij->i", np.cross(b - a, d - a), e - a) / 6
+
+
 # The tetrahedra of the cells fill the same space, and have their values.
 tets = gm.read(path, SplitCells=True)
-corners = gm.coordinates(tets)[gm.connectivity(tets)]
-a, b, d, e = np.moveaxis(corners, 1, 0)
-volume = np.einsum("ij,ij->i", np.cross(b - a, d - a), e - a) / 6
+volume = volumes(tets)
 assert volume.min() > 0 and 0.9 * n**3 < volume.sum() < 1.1 * n**3
 values = {tuple(v) for v in gm.values_of(whole.GetCellData().GetArray("pair"))}
 assert {tuple(v) for v in gm.values_of(tets.GetCellData().GetArray("pair"))} < values
+
+# Those of wedges of any order, whose nodes are where VTK has them, and of hexahedra of which corners coincide.
+for wedge, order in itertools.product((vtkLagrangeWedge(), vtkBezierWedge()), (1, 2, 3, 4)):
+    count = (order + 1) ** 2 * (order + 2) // 2
+    wedge.GetPointIds().SetNumberOfIds(count)
+    wedge.GetPoints().SetNumberOfPoints(count)
+    wedge.SetUniformOrderFromNumPoints(count)
+    wedge.Initialize()
+    places = np.array([wedge.GetParametricCoords()[i] for i in range(3 * count)]).reshape(-1, 3)
+    grid = gm.make_grid(places * (2, 3, 5), [])
+    grid.InsertNextCell(wedge.GetCellType(), count, list(range(count)))
+    gm.write(grid, path)
+    volume = volumes(gm.read(path, SplitCells=True))
+    assert volume.min() > 0 and abs(volume.sum() - 15) < 1e-5, (wedge.GetClassName(), order, volume)
+for ids, share in (([0, 1, 2, 2, 4, 5, 6, 6], 1 / 2), ([0, 1, 2, 3, 4, 4, 4, 4], 1 / 3), ([0, 1, 2, 2, 4, 4, 4, 4], 1 / 6)):
+    grid = gm.make_grid(np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0),
+                                  (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]), [])
+    grid.InsertNextCell(c.VTK_HEXAHEDRON, 8, ids)
+    gm.write(grid, path)
+    volume = volumes(gm.read(path, SplitCells=True))
+    print(ids, volume)
+    assert volume.min() > 0 and abs(volume.sum() - share) < 1e-6, (ids, volume)
