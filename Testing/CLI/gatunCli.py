@@ -106,7 +106,10 @@ def make_grid(points, tets, point_data=None, cell_data=None):
         numpy_to_vtkIdTypeArray(np.arange(0, 4 * len(tets) + 1, 4), deep=True),
         numpy_to_vtkIdTypeArray(np.ascontiguousarray(tets, dtype=np.int64).ravel(), deep=True),
     )
-    grid.SetCells(VTK_TETRA, cells)
+    if len(tets):
+        grid.SetCells(VTK_TETRA, cells)
+    else:
+        grid.Allocate(1)  # cells of any types can be added; after SetCells, VTK 9.6 would take them for tetrahedra
     for data, arrays in ((grid.GetPointData(), point_data), (grid.GetCellData(), cell_data)):
         for name, values in (arrays or {}).items():
             array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)

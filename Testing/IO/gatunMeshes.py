@@ -74,7 +74,10 @@ def make_grid(points, tets, wide=True):
     cells = vtkCellArray()
     cells.SetData(offsets, connectivity)
     assert cells.GetNumberOfCells() == len(tets)
-    grid.SetCells(VTK_TETRA, cells)
+    if len(tets):
+        grid.SetCells(VTK_TETRA, cells)
+    else:
+        grid.Allocate(1)  # cells of any types can be added; after SetCells, VTK 9.6 would take them for tetrahedra
     return grid
 
 
