@@ -6,9 +6,9 @@
 #include "gtnFailure.h"
 #include "gtnJson.h"
 #include "gtnMessages.h"
-#include "gtnParse.h"
 #include "gtnReadable.h"
 #include "gtnText.h"
+#include "gtnWords.h"
 #include "gtnXMLPieces.h"
 
 #include "vtkNew.h"
@@ -22,7 +22,6 @@
 #include <cstring>
 #include <filesystem>
 #include <map>
-#include <string_view>
 
 namespace gtn
 {
@@ -47,15 +46,14 @@ public:
     time.erase(time.find_last_not_of(" \t\r\n") + 1);
     std::replace_if(
       time.begin(), time.end(), [](char c) { return c == 'd' || c == 'D'; }, 'e'); // of Fortran
-    const bool hasPlus = time.starts_with('+') && !time.starts_with("+-");
-    const auto number = Parse<double>(std::string_view(time).substr(hasPlus ? 1 : 0));
-    if (!number || !std::isfinite(*number))
+    double number = 0;
+    if (!ParseWord(time, number) || !std::isfinite(number))
     {
       throw Failure(this->File,
         fmt::format("the entry of {} has the time '{}', which is not a finite number",
           MakePrintableLine(part), MakePrintableLine(given)));
     }
-    this->Add(*number, part);
+    this->Add(number, part);
   }
 
   void Add(double time, const std::string& part)

@@ -9,10 +9,7 @@
 #include "gtnWords.h"
 
 #include "vtkCellArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -23,7 +20,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -181,6 +177,9 @@ private:
   std::size_t LargestLine = 0;
 };
 
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> ReadObj(const std::string& file,
   const std::function<bool(double)>& progress, std::vector<std::string>& leftOut)
 {
@@ -227,48 +226,5 @@ vtkSmartPointer<vtkPolyData> ReadObj(const std::string& file,
   }
   leftOut = parser.GetLeftOut();
   return parser.GetSurface();
-}
-
-} // anonymous namespace
-
-vtkStandardNewMacro(ObjReader);
-
-//------------------------------------------------------------------------------
-ObjReader::ObjReader()
-{
-  this->SetNumberOfInputPorts(0);
-}
-
-//------------------------------------------------------------------------------
-void ObjReader::SetFileName(const char* file)
-{
-  this->File = file;
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-int ObjReader::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
-{
-  try
-  {
-    std::vector<std::string> leftOut;
-    const auto progress = [this](double fraction)
-    {
-      this->UpdateProgress(fraction);
-      return this->GetAbortExecute() == 0;
-    };
-    vtkPolyData::GetData(outputVector)->ShallowCopy(ReadObj(this->File, progress, leftOut));
-    if (!leftOut.empty())
-    {
-      vtkWarningMacro(<< "what is not read of the file: " << Join(leftOut));
-    }
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< ReasonOf(error));
-    return 0;
-  }
-  return 1;
 }
 }

@@ -15,10 +15,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -30,7 +27,6 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -362,50 +358,18 @@ std::string ReadAll(const std::string& file)
 
 } // anonymous namespace
 
-vtkStandardNewMacro(PlyReader);
-
 //------------------------------------------------------------------------------
-PlyReader::PlyReader()
+vtkSmartPointer<vtkPolyData> ReadPly(const std::string& file,
+  const std::function<bool(double)>& progress, std::vector<std::string>& leftOut)
 {
-  this->SetNumberOfInputPorts(0);
-}
-
-//------------------------------------------------------------------------------
-void PlyReader::SetFileName(const char* file)
-{
-  this->File = file;
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-int PlyReader::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
-{
-  try
+  const std::string bytes = ReadAll(file);
+  PlyParser parser(bytes);
+  if (!parser.Read(progress))
   {
-    const std::string bytes = ReadAll(this->File);
-    PlyParser parser(bytes);
-    const auto progress = [this](double fraction)
-    {
-      this->UpdateProgress(fraction);
-      return this->GetAbortExecute() == 0;
-    };
-    if (!parser.Read(progress))
-    {
-      return 1;
-    }
-    vtkPolyData::GetData(outputVector)->ShallowCopy(parser.GetSurface());
-    const std::vector<std::string> leftOut = parser.GetLeftOut();
-    if (!leftOut.empty())
-    {
-      vtkWarningMacro(<< "what is not read of the file: " << Join(leftOut));
-    }
+    return vtkSmartPointer<vtkPolyData>::New(); // aborted
   }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< ReasonOf(error));
-    return 0;
-  }
-  return 1;
+  auto surface = parser.GetSurface(); // which may leave out more
+  leftOut = parser.GetLeftOut();
+  return surface;
 }
 }

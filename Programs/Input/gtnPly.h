@@ -3,35 +3,24 @@
 #ifndef gtnPly_h
 #define gtnPly_h
 
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h"
 
+#include <functional>
 #include <string>
+#include <vector>
+
+class vtkPolyData;
 
 namespace gtn
 {
 /**
- * Reads .ply files, in text and in binary, and checks them, which VTK's reader does not: points in
- * their own type, polygons and triangle strips, and the properties of vertices and faces as arrays
- * of their own types. Normals, colors and texture coordinates become one array each. Other elements
- * and other lists are left out with a warning that names them.
+ * Reads a .ply file, in text or in binary, as a SurfaceFunction, and checks it, which VTK's reader
+ * does not: points in their own type, polygons and triangle strips, and the properties of vertices
+ * and faces as arrays of their own types. Normals, colors and texture coordinates become one array
+ * each. Other elements and other lists are left out. Throws Failure for any content of the file.
  */
-class PlyReader : public vtkPolyDataAlgorithm
-{
-public:
-  static PlyReader* New();
-  vtkTypeMacro(PlyReader, vtkPolyDataAlgorithm);
-
-  void SetFileName(const char* file);
-
-protected:
-  PlyReader();
-
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-
-private:
-  std::string File;
-};
+vtkSmartPointer<vtkPolyData> ReadPly(const std::string& file,
+  const std::function<bool(double)>& progress, std::vector<std::string>& leftOut);
 }
 
 #endif

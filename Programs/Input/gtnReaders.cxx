@@ -17,6 +17,7 @@
 #include "gtnReadable.h"
 #include "gtnScene.h"
 #include "gtnScratch.h"
+#include "gtnSurfaceFileReader.h"
 #include "gtnText.h"
 #include "gtnXMLPieces.h"
 
@@ -59,6 +60,13 @@ vtkSmartPointer<vtkAlgorithm> Make(const std::string& file)
 {
   vtkNew<Reader> reader;
   reader->SetFileName(file.c_str());
+  return reader;
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeSurfaceFileReader(const std::string& file, SurfaceFunction read)
+{
+  vtkNew<SurfaceFileReader> reader;
+  reader->SetFile(file, read);
   return reader;
 }
 
@@ -369,11 +377,11 @@ vtkSmartPointer<vtkAlgorithm> MakeSurfaceReader(const std::string& file)
   }
   if (extension == ".ply")
   {
-    return Make<PlyReader>(file);
+    return MakeSurfaceFileReader(file, ReadPly);
   }
   if (extension == ".obj")
   {
-    return Make<ObjReader>(file);
+    return MakeSurfaceFileReader(file, ReadObj);
   }
   if (IsOneOf(extension, { ".glb", ".gltf" }))
   {

@@ -5,10 +5,11 @@
 
 // Words and numbers of files that are text.
 
+#include "gtnParse.h"
+
 #include <algorithm>
-#include <charconv>
+#include <optional>
 #include <string_view>
-#include <system_error>
 
 namespace gtn
 {
@@ -30,9 +31,9 @@ bool ParseWord(std::string_view text, T& number)
   {
     text.remove_prefix(1);
   }
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc() && stop == end;
+  const std::optional<T> found = Parse<T>(text);
+  number = found.value_or(number);
+  return found.has_value();
 }
 }
 
