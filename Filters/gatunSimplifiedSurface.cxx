@@ -60,7 +60,6 @@ void SimplifiedSurface::Fill(const MergeTree& tree, std::size_t merges, vtkPolyD
   const auto ancestors = tree.FindAncestors(merges);
   std::vector<vtkIdType> places(ancestors.size(), -1);
   vtkNew<vtkIdList> kept;
-  kept->Allocate(static_cast<vtkIdType>(ancestors.size() - std::min(merges, ancestors.size())));
   const auto& isLeftOut = this->Triangles.IsOfGhosts;
   for (std::size_t i = 0; i < ancestors.size(); ++i)
   {
@@ -115,11 +114,12 @@ void SimplifiedSurface::Fill(const MergeTree& tree, std::size_t merges, vtkPolyD
   vtkNew<vtkIdTypeArray> offsets;
   SizeArray(corners, 3 * left);
   SizeArray(offsets, left + 1);
-  cells->Resize(before + left);
-  cells->SetNumberOfIds(before + left);
+  vtkNew<vtkIdList> allCells;
+  allCells->SetNumberOfIds(before + left);
+  std::copy_n(cells->GetPointer(0), before, allCells->GetPointer(0));
   vtkIdType* const corner = corners->GetPointer(0);
   vtkIdType* const offset = offsets->GetPointer(0);
-  vtkIdType* const cell = cells->GetPointer(before);
+  vtkIdType* const cell = allCells->GetPointer(before);
   ParallelFor(parts,
     [&](std::size_t part)
     {
@@ -145,7 +145,7 @@ void SimplifiedSurface::Fill(const MergeTree& tree, std::size_t merges, vtkPolyD
   output->SetVerts(verts.Make());
   output->SetLines(lines.Make());
   output->SetPolys(polys);
-  CopyTuples(this->Surface->GetCellData(), cells, output->GetCellData());
+  CopyTuples(this->Surface->GetCellData(), allCells, output->GetCellData());
   output->GetFieldData()->ShallowCopy(this->Surface->GetFieldData());
 }
 }

@@ -116,7 +116,7 @@ void FillPolyData(const Surface& surface, const SurfaceOutput& content, vtkPolyD
   vtkNew<vtkPoints> points;
   points->SetDataType(content.CoordinateType == ScalarType::Float32 ? VTK_FLOAT : VTK_DOUBLE);
   SizePoints(points, count);
-  surface.FillPoints(points->GetVoidPointer(0));
+  surface.FillPoints(points->GetData()->GetVoidPointer(0));
   output->SetPoints(points);
   AddArrays(surface, content, output);
   if (content.Normals)

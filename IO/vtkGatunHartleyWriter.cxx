@@ -134,15 +134,15 @@ int vtkGatunHartleyWriter::Write()
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunHartleyWriter::Update()
+VTK_GATUN_UPDATE_RESULT vtkGatunHartleyWriter::Update()
 {
-  this->Write();
+  return static_cast<VTK_GATUN_UPDATE_RESULT>(this->Write());
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunHartleyWriter::Update(int vtkNotUsed(port))
+VTK_GATUN_UPDATE_RESULT vtkGatunHartleyWriter::Update(int vtkNotUsed(port))
 {
-  this->Write();
+  return static_cast<VTK_GATUN_UPDATE_RESULT>(this->Write());
 }
 
 //------------------------------------------------------------------------------

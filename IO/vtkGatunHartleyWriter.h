@@ -34,6 +34,7 @@
 #define vtkGatunHartleyWriter_h
 
 #include "vtkGatunIOModule.h" // For export macro
+#include "vtkGatunUpdateResult.h"
 #include "vtkWriter.h"
 
 #include <memory> // For std::unique_ptr
@@ -79,8 +80,8 @@ public:
   /**
    * Same as Write.
    */
-  void Update() override;
-  void Update(int port) override;
+  VTK_GATUN_UPDATE_RESULT Update() override;
+  VTK_GATUN_UPDATE_RESULT Update(int port) override;
   ///@}
 
   /**

@@ -3,6 +3,7 @@
 
 #include "vtkGatunMergeBlocks.h"
 
+#include "gatunArrayBridge.h"
 #include "gatunBlockArrays.h"
 #include "gatunBlockList.h"
 #include "gatunCellCheck.h"

@@ -404,15 +404,15 @@ bool vtkGatunWriter::HandleFailure() noexcept
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunWriter::Update()
+VTK_GATUN_UPDATE_RESULT vtkGatunWriter::Update()
 {
-  this->Write();
+  return static_cast<VTK_GATUN_UPDATE_RESULT>(this->Write());
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunWriter::Update(int vtkNotUsed(port))
+VTK_GATUN_UPDATE_RESULT vtkGatunWriter::Update(int vtkNotUsed(port))
 {
-  this->Write();
+  return static_cast<VTK_GATUN_UPDATE_RESULT>(this->Write());
 }
 
 //------------------------------------------------------------------------------

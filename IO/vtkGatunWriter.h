@@ -79,6 +79,7 @@
 #define vtkGatunWriter_h
 
 #include "vtkGatunIOModule.h" // For export macro
+#include "vtkGatunUpdateResult.h"
 #include "vtkWriter.h"
 
 #include <memory> // For std::unique_ptr
@@ -383,8 +384,8 @@ public:
    * success and 0 on failure; GetErrorCode then gives the reason.
    */
   int Write() override;
-  void Update() override;
-  void Update(int port) override;
+  VTK_GATUN_UPDATE_RESULT Update() override;
+  VTK_GATUN_UPDATE_RESULT Update(int port) override;
   ///@}
 
   /**

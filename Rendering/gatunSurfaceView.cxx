@@ -60,7 +60,7 @@ std::vector<Vector> FindNormals(
 template <typename IdT>
 std::vector<Vector> FindNormals(vtkPoints* points, const IdT* corners, std::size_t triangles)
 {
-  const void* const places = points->GetVoidPointer(0);
+  const void* const places = points->GetData()->GetVoidPointer(0);
   return points->GetDataType() == VTK_DOUBLE
     ? FindNormals(static_cast<const double*>(places), corners, triangles)
     : FindNormals(static_cast<const float*>(places), corners, triangles);

@@ -114,15 +114,15 @@ bool vtkGatunHartleyMapper::HasCoefficients()
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunHartleyMapper::Update()
+VTK_GATUN_UPDATE_RESULT vtkGatunHartleyMapper::Update()
 {
-  this->Update(0, nullptr);
+  return static_cast<VTK_GATUN_UPDATE_RESULT>(this->Update(0, nullptr));
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunHartleyMapper::Update(int)
+VTK_GATUN_UPDATE_RESULT vtkGatunHartleyMapper::Update(int)
 {
-  this->Update(0, nullptr);
+  return static_cast<VTK_GATUN_UPDATE_RESULT>(this->Update(0, nullptr));
 }
 
 //------------------------------------------------------------------------------

@@ -26,7 +26,8 @@
 #define vtkGatunHartleyMapper_h
 
 #include "vtkGatunRenderingModule.h" // For export macro
-#include "vtkSmartPointer.h"         // For ivars
+#include "vtkGatunUpdateResult.h"
+#include "vtkSmartPointer.h" // For ivars
 #include "vtkVolumeMapper.h"
 
 #include <memory> // For std::unique_ptr
@@ -85,8 +86,8 @@ public:
    * Updates the information of an input with coefficients, and all of any other input. Ports and
    * requests are ignored.
    */
-  void Update() override;
-  void Update(int port) override;
+  VTK_GATUN_UPDATE_RESULT Update() override;
+  VTK_GATUN_UPDATE_RESULT Update(int port) override;
   vtkTypeBool Update(int port, vtkInformationVector* requests) override;
   vtkTypeBool Update(vtkInformation* requests) override;
   ///@}

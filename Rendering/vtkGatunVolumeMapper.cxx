@@ -238,15 +238,15 @@ vtkDataSet* vtkGatunVolumeMapper::GetDataSetInput()
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunVolumeMapper::Update()
+VTK_GATUN_UPDATE_RESULT vtkGatunVolumeMapper::Update()
 {
-  this->Update(0);
+  return static_cast<VTK_GATUN_UPDATE_RESULT>(this->Update(0));
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunVolumeMapper::Update(int port)
+VTK_GATUN_UPDATE_RESULT vtkGatunVolumeMapper::Update(int port)
 {
-  this->Update(port, nullptr);
+  return static_cast<VTK_GATUN_UPDATE_RESULT>(this->Update(port, nullptr));
 }
 
 //------------------------------------------------------------------------------
@@ -271,9 +271,9 @@ vtkTypeBool vtkGatunVolumeMapper::Update(vtkInformation*)
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunVolumeMapper::UpdateWholeExtent()
+VTK_GATUN_UPDATE_RESULT vtkGatunVolumeMapper::UpdateWholeExtent()
 {
-  this->Update(0);
+  return static_cast<VTK_GATUN_UPDATE_RESULT>(this->Update(0));
 }
 
 //------------------------------------------------------------------------------

@@ -74,6 +74,7 @@
 #define vtkGatunVolumeMapper_h
 
 #include "vtkGatunRenderingModule.h" // For export macro
+#include "vtkGatunUpdateResult.h"
 #include "vtkUnstructuredGridVolumeMapper.h"
 
 #include <memory> // For std::unique_ptr
@@ -268,11 +269,11 @@ public:
    * Updates the part of the pipeline that is needed before an image is drawn; see above. Ports and
    * requests have no effect.
    */
-  void Update() override;
-  void Update(int port) override;
+  VTK_GATUN_UPDATE_RESULT Update() override;
+  VTK_GATUN_UPDATE_RESULT Update(int port) override;
   vtkTypeBool Update(int port, vtkInformationVector* requests) override;
   vtkTypeBool Update(vtkInformation* requests) override;
-  void UpdateWholeExtent() override;
+  VTK_GATUN_UPDATE_RESULT UpdateWholeExtent() override;
   ///@}
 
   /**

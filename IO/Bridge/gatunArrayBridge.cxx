@@ -5,7 +5,6 @@
 
 #include "gatunArrayKeys.h"
 #include "gatunError.h"
-#include "gatunLargeArray.h"
 #include "gatunNewArray.h"
 
 #include "vtkAbstractArray.h"
@@ -309,9 +308,6 @@ ArrayFiller::ArrayFiller(const ArrayDescription& description, vtkIdType tuples)
   this->Array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
   this->Array->SetNumberOfComponents(static_cast<int>(description.Components));
   SizeArray(this->Array, tuples);
-  AskForHugePages(this->Array->GetVoidPointer(0),
-    static_cast<std::size_t>(this->Array->GetNumberOfValues()) *
-      static_cast<std::size_t>(this->Array->GetDataTypeSize()));
   SetNames(this->Array, description.Name, description.ComponentNames);
   SetKeys(this->Array, description.Keys);
   this->Bits = type == VTK_BIT;

@@ -3,6 +3,8 @@
 
 #include "gatunNewArray.h"
 
+#include "gatunLargeArray.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -11,7 +13,6 @@
 #include "vtkTypeInt64Array.h"
 
 #include <cstdint>
-#include <cstdlib>
 #include <new>
 
 namespace gatun
@@ -36,17 +37,12 @@ void SizeArray(vtkAbstractArray* array, vtkIdType tuples)
   {
     const auto size = static_cast<std::size_t>(array->GetDataTypeSize()) *
       static_cast<std::size_t>(array->GetNumberOfComponents());
-    if (static_cast<std::size_t>(tuples) > std::size_t{ PTRDIFF_MAX } / size)
+    if (static_cast<std::size_t>(tuples) > std::size_t{ PTRDIFF_MAX } / 2 / size)
     {
       throw std::bad_alloc();
     }
-    void* const memory = std::malloc(static_cast<std::size_t>(tuples) * size);
-    if (!memory)
-    {
-      throw std::bad_alloc();
-    }
-    array->SetVoidArray(
-      memory, tuples * array->GetNumberOfComponents(), 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+    array->SetVoidArray(AllocateLarge(static_cast<std::size_t>(tuples) * size),
+      tuples * array->GetNumberOfComponents(), 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
     return;
   }
   // Other arrays get their memory from `new`.

@@ -28,7 +28,8 @@ VTK_ABI_NAMESPACE_END
 namespace gatun
 {
 /** Sets the number of tuples of an array, whose values are lost. Call it in place of
- * SetNumberOfTuples and SetNumberOfValues. Throws std::bad_alloc. */
+ * SetNumberOfTuples and SetNumberOfValues. Large ones are in huge pages, which are cleared faster
+ * when they are first written. Throws std::bad_alloc. */
 VTKGATUNIO_EXPORT void SizeArray(vtkAbstractArray* array, vtkIdType tuples);
 
 /** The same in place of SetNumberOfPoints. */

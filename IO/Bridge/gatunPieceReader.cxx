@@ -6,7 +6,6 @@
 #include "gatunArrayBridge.h"
 #include "gatunFileConsumer.h"
 #include "gatunFileReader.h"
-#include "gatunLargeArray.h"
 #include "gatunNewArray.h"
 #include "gatunParallel.h"
 
@@ -38,15 +37,12 @@ namespace gatun
 namespace
 {
 //------------------------------------------------------------------------------
-/** Sets the size of a new array. Its pages are cleared when they are first written, which is
- * faster in huge ones. */
+/** Sets the size of a new array. */
 template <typename ArrayT>
 auto* MakeRoom(ArrayT* array, vtkIdType values)
 {
   SizeArray(array, values);
-  auto* const first = array->GetPointer(0);
-  AskForHugePages(first, static_cast<std::size_t>(values) * sizeof(*first));
-  return first;
+  return array->GetPointer(0);
 }
 
 //------------------------------------------------------------------------------
@@ -392,10 +388,7 @@ vtkSmartPointer<vtkPoints> PieceReader::MakePoints(
     file.GetCoordinateType() == ScalarType::Float64 ? VTK_DOUBLE : VTK_FLOAT);
   SizePoints(coordinates, points);
   SetDescription(coordinates->GetData(), file.GetPointArray());
-  target.Points = coordinates->GetVoidPointer(0);
-  AskForHugePages(target.Points,
-    3 * static_cast<std::size_t>(points) *
-      static_cast<std::size_t>(coordinates->GetData()->GetDataTypeSize()));
+  target.Points = coordinates->GetData()->GetVoidPointer(0);
   return coordinates;
 }
 

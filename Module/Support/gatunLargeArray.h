@@ -9,7 +9,6 @@
 #include <limits>
 #include <memory>
 #include <new>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -21,17 +20,34 @@ namespace gatun
 {
 constexpr std::size_t HugePage = std::size_t{ 1 } << 21;
 
-/** Asks the kernel for huge pages in memory that has not been used yet, where it does not use them
- * anyway. This is only advice. */
-inline void AskForHugePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes)
+/** The size from which memory is allocated in whole huge pages. */
+constexpr std::size_t LeastInHugePages = 2 * HugePage;
+
+/** Uninitialized memory for an array, in huge pages if it is large; see LargeAllocator. Free it by
+ * std::free. Throws std::bad_alloc. */
+inline void* AllocateLarge(std::size_t bytes)
 {
+  void* memory = nullptr;
 #if defined(__linux__)
-  void* first = memory;
-  if (std::align(HugePage, HugePage, first, bytes))
+  if (bytes >= LeastInHugePages && bytes <= std::numeric_limits<std::size_t>::max() / 2)
   {
-    madvise(first, bytes / HugePage * HugePage, MADV_HUGEPAGE);
+    const std::size_t rounded = (bytes + HugePage - 1) / HugePage * HugePage;
+    memory = std::aligned_alloc(HugePage, rounded);
+    if (memory)
+    {
+      madvise(memory, rounded, MADV_HUGEPAGE); // may fail, as it is only advice
+    }
   }
+  else
 #endif
+  {
+    memory = std::malloc(bytes);
+  }
+  if (!memory)
+  {
+    throw std::bad_alloc();
+  }
+  return memory;
 }
 
 /**
@@ -58,28 +74,10 @@ public:
     {
       throw std::bad_array_new_length();
     }
-    const std::size_t bytes = count * sizeof(T);
-    if (bytes < Least)
-    {
-      return static_cast<T*>(::operator new(bytes));
-    }
-    const std::size_t rounded = (bytes + HugePage - 1) / HugePage * HugePage;
-    void* const memory = ::operator new (rounded, std::align_val_t{ HugePage });
-    AskForHugePages(memory, rounded);
-    return static_cast<T*>(memory);
+    return static_cast<T*>(AllocateLarge(count * sizeof(T)));
   }
 
-  void deallocate(T* memory, std::size_t count) noexcept
-  {
-    if (count * sizeof(T) < Least)
-    {
-      ::operator delete(memory);
-    }
-    else
-    {
-      ::operator delete (memory, std::align_val_t{ HugePage });
-    }
-  }
+  void deallocate(T* memory, std::size_t) noexcept { std::free(memory); }
 
   template <typename Element, typename... Arguments>
   void construct(Element* element, Arguments&&... arguments)
@@ -95,9 +93,6 @@ public:
   }
 
   bool operator==(const LargeAllocator&) const { return true; }
-
-private:
-  static constexpr std::size_t Least = 2 * HugePage;
 };
 
 template <typename T>
