@@ -15,6 +15,8 @@
 #include "vtkXMLDataParser.h"
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 #include <string_view>
 
 namespace gtn
@@ -77,6 +79,34 @@ void AddArrays(vtkXMLDataElement* data, int association, std::vector<XMLArrayFor
       array.Name = name;
       array.Type = TypeOf(element);
       element->GetScalarAttribute("NumberOfComponents", array.Components);
+    }
+  }
+}
+
+// Whether an array is there at a time step. Without a list of steps it is at all of them.
+bool IsAtStep(vtkXMLDataElement* array, int step)
+{
+  const char* const listed = array->GetAttribute("TimeStep");
+  if (!listed)
+  {
+    return true;
+  }
+  std::istringstream steps(listed);
+  return std::find(std::istream_iterator<int>(steps), std::istream_iterator<int>(), step) !=
+    std::istream_iterator<int>();
+}
+
+void RemoveOtherSteps(vtkXMLDataElement* piece, int step)
+{
+  for (int i = 0; i < piece->GetNumberOfNestedElements(); ++i)
+  {
+    vtkXMLDataElement* data = piece->GetNestedElement(i);
+    for (int j = data->GetNumberOfNestedElements() - 1; j >= 0; --j)
+    {
+      if (!IsAtStep(data->GetNestedElement(j), step))
+      {
+        data->RemoveNestedElement(data->GetNestedElement(j));
+      }
     }
   }
 }
@@ -191,9 +221,26 @@ XMLForm ReadListForm(vtkXMLDataElement* list)
 }
 
 //------------------------------------------------------------------------------
-std::string PreparePieces(vtkXMLDataElement* mesh)
+int FindRequestedStep(vtkInformation* outInfo)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const double* const times = outInfo->Get(Pipeline::TIME_STEPS());
+  const double* const end = times + outInfo->Length(Pipeline::TIME_STEPS());
+  const auto* const found = std::find(times, end, outInfo->Get(Pipeline::UPDATE_TIME_STEP()));
+  return found == end ? 0 : static_cast<int>(found - times);
+}
+
+//------------------------------------------------------------------------------
+std::string PreparePieces(vtkXMLDataElement* mesh, int step)
 {
   auto pieces = NestedNamed(mesh, "Piece");
+  if (mesh->GetAttribute("TimeValues"))
+  {
+    for (vtkXMLDataElement* piece : pieces)
+    {
+      RemoveOtherSteps(piece, step);
+    }
+  }
   const auto filled = std::stable_partition(
     pieces.begin(), pieces.end(), [](vtkXMLDataElement* piece) { return !IsEmptyPiece(piece); });
   const bool isEmpty = filled == pieces.begin() && !pieces.empty();

@@ -58,10 +58,14 @@ XMLForm ReadListForm(vtkXMLDataElement* list);
 std::string NameOfXMLType(int type);
 
 /** Takes empty pieces out of the element of a mesh, as VTK's readers take the types of all pieces
- * from the first one. If all are empty, the first one stays and gets an array of points. Returns
+ * from the first one. If all are empty, the first one stays and gets an array of points. Of several
+ * time steps, the arrays of one stay: VTK 9.6 takes those of the first step with each name. Returns
  * what is wrong with the other pieces: one has an array of another type than the first one, which
  * VTK's readers would take for that type. */
-std::string PreparePieces(vtkXMLDataElement* mesh);
+std::string PreparePieces(vtkXMLDataElement* mesh, int step);
+
+/** The index of a requested time among the time steps of an output. */
+int FindRequestedStep(vtkInformation* outInfo);
 
 /** A reader of VTK that reads empty pieces, too, and refuses pieces that differ in their types. Of
  * several time steps in a file, each has a reader of its own: VTK 9.1 appends the cells of each
@@ -81,6 +85,7 @@ protected:
     }
     auto fresh = vtk::TakeSmartPointer(this->NewInstance());
     static_cast<XMLPieceReader*>(fresh.Get())->IsOfStep = true;
+    static_cast<XMLPieceReader*>(fresh.Get())->Step = FindRequestedStep(info);
     fresh->SetFileName(this->GetFileName());
     fresh->UpdateInformation();
     fresh->UpdateTimeStep(info->Get(step));
@@ -93,7 +98,7 @@ protected:
   int ReadPrimaryElement(vtkXMLDataElement* mesh) override
   {
     MakeUnknownKeys(mesh);
-    const std::string problem = PreparePieces(mesh);
+    const std::string problem = PreparePieces(mesh, this->Step);
     if (!problem.empty())
     {
       vtkErrorWithObjectMacro(this, << problem);
@@ -104,6 +109,7 @@ protected:
 
 private:
   bool IsOfStep = false; // the reader of one time step
+  int Step = 0;
 };
 
 class XMLSurfaceReader : public XMLPieceReader<vtkXMLPolyDataReader>
