@@ -84,7 +84,7 @@ class Scene:
             with raising(producer):
                 producer.Update(port.GetIndex())
             self._data = producer.GetOutputDataObject(port.GetIndex())
-        self.name = type(self._data).__name__
+        self.name = self._data.GetClassName()
         if not isinstance(self._data, (vtkUnstructuredGrid, vtkPolyData, vtkImageData)):
             raise TypeError(f"a {self.name} cannot be drawn")
 

@@ -111,7 +111,7 @@ def _connect_series(writer, series, times, arrays):
         raise ValueError("times: each has to be after the one before")
     first = as_data(series[0])
     if not isinstance(first, (vtkUnstructuredGrid, vtkPolyData)):
-        raise TypeError(f"data: a series of {type(first).__name__} cannot be written")
+        raise TypeError(f"data: a series of {first.GetClassName()} cannot be written")
     kind = "vtkUnstructuredGrid" if isinstance(first, vtkUnstructuredGrid) else "vtkPolyData"
     _check_arrays(arrays, first)
     # The first mesh may have been expensive.
@@ -225,7 +225,7 @@ def _connect(writer, data, times, arrays):
         raise ValueError("times: are for a series of meshes; an algorithm has times of its own")
     entry = Input(data)
     if not isinstance(entry.data, (vtkUnstructuredGrid, vtkPolyData, vtkDataObjectTree)):
-        raise TypeError(f"data: a {type(entry.data).__name__} cannot be written as a .gtn file")
+        raise TypeError(f"data: a {entry.data.GetClassName()} cannot be written as a .gtn file")
     if not entry.algorithms and not isinstance(data, (vtkAlgorithm, vtkAlgorithmOutput)):
         _check_arrays(arrays, entry.data)
     entry.connect(writer)
@@ -263,7 +263,7 @@ def _write_volume(data, path, rates, block_size, arrays):
     set_property(encoding, "block_size", "BlockSize", block_size)
     entry = Input(data)
     if not isinstance(entry.data, vtkImageData):
-        raise TypeError(f"data: a {type(entry.data).__name__} cannot be written as a .ghv file")
+        raise TypeError(f"data: a {entry.data.GetClassName()} cannot be written as a .ghv file")
     entry.connect(writer)
     if arrays is not None:
         if len(arrays) != 1:
