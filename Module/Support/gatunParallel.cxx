@@ -27,24 +27,17 @@ namespace
 // Whether this thread executes a body of ParallelFor.
 thread_local bool IsWithinBody = false;
 
-// Whether this thread has run a loop on several threads.
-thread_local bool HasThreads = false;
-
 /**
- * Throws std::bad_alloc if there is no memory for the first parallel loop of this thread.
- * oneTBB 2022 waits forever if memory runs out while it starts: it then asks whether to throw, with
- * the lock of that setting held. It and its allocator need less than 8 MiB.
+ * Throws std::bad_alloc if there is no memory for a parallel loop. oneTBB 2022 waits forever if
+ * memory runs out while it starts one: it then asks whether to throw, with the lock of that setting
+ * held. It and its allocator need less than 8 MiB.
  */
 void CheckMemoryForThreads()
 {
-  if (!HasThreads)
-  {
-    constexpr std::size_t size = std::size_t{ 8 } << 20;
-    auto* memory = static_cast<volatile char*>(::operator new(size));
-    memory[0] = 0; // or else a compiler may leave out both calls
-    ::operator delete(const_cast<char*>(memory));
-    HasThreads = true;
-  }
+  constexpr std::size_t size = std::size_t{ 8 } << 20;
+  auto* memory = static_cast<volatile char*>(::operator new(size));
+  memory[0] = 0; // or else a compiler may leave out both calls
+  ::operator delete(const_cast<char*>(memory));
 }
 
 /** Distributes bodies one by one, so that threads stay busy if the bodies are uneven. */

@@ -17,6 +17,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkSMPTools.h"
 #include "vtkTable.h"
 #include "vtkTestUtilities.h"
 #include "vtkUnstructuredGrid.h"
@@ -172,8 +173,9 @@ int TestReaderMemory(int argc, char* argv[])
   std::cout << "sanitizers need address space of their own\n";
   return Skipped;
 #endif
-  // vtkSMPTools reads this at its first use. Threads would fail for lack of memory by themselves.
+  // Threads would fail for lack of memory by themselves.
   ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 1);
+  vtkSMPTools::SetBackend("Sequential"); // VTK 9.6 has read the variable by now
 
   char* temporary =
     vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");
