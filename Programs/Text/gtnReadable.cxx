@@ -124,7 +124,7 @@ std::string ExplainRefusal(const std::string& file, const std::string& message)
     return "is truncated: it does not end in </VTKFile> (" + message + ")";
   }
   const std::string extension = ExtensionOf(file);
-  if (extension == ".stl" && message.find("found 'end'") != message.npos)
+  if (extension == ".stl" && ReadEnd(file, 256, true).find("end solid") != std::string::npos)
   {
     return "has 'end solid' where 'endsolid' must be (" + message + ")";
   }

@@ -6,6 +6,7 @@ cells, information keys, names of points, texts, times, sets, numbers and variab
 verify tells what a file lacks, all of it."""
 
 import os
+import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -219,3 +220,7 @@ for name in ("case/case.foam", "case/system/controlDict"):
     with open(name, "w", encoding="ascii"):
         pass
 gtn("pack", "case/case.foam", "case.gtn", code=1, says="reconstructPar")
+
+# VTK 9.6 crashes at the end of Python after MakeKey.
+sys.stdout.flush()
+os._exit(0)
