@@ -68,10 +68,10 @@ Bytes CallTetGen(
     std::size_t position = 0;
     Take(bytes, position, faces);
   }
-  if (!faces.empty() && faces[0] > 0)
+  if (!faces.empty() && faces[0] != 0)
   {
-    throw TetGenError(
-      "the surface cuts itself, at " + std::to_string(faces[0]) + " of its triangles");
+    throw TetGenError("the surface cuts itself" +
+      (faces[0] > 0 ? ", at " + std::to_string(faces[0]) + " of its triangles" : ""));
   }
   throw TetGenError("TetGen failed on this surface; parts of it may nearly touch, or the switches "
                     "may be wrong");

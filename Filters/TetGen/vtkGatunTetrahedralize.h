@@ -79,6 +79,7 @@ public:
   ///@{
   /**
    * Largest volume of a tetrahedron, in cubic units of the surface; 0 for no limit. Default: 0.
+   * Some become larger when TetGen moves points in the end, with TetGen 1.6 up to a half.
    */
   vtkSetClampMacro(MaximumVolume, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumVolume, double);
