@@ -193,6 +193,7 @@ int GetNumberOfThreads()
 //------------------------------------------------------------------------------
 void SetNumberOfThreads(int count)
 {
+  CheckMemoryForThreads();
   vtkSMPTools::Initialize(count);
   OwnThreads = count;
 }
@@ -200,6 +201,7 @@ void SetNumberOfThreads(int count)
 //------------------------------------------------------------------------------
 void WithNumberOfThreads(int count, const std::function<void()>& work)
 {
+  CheckMemoryForThreads();
   const int before = OwnThreads.exchange(count);
   vtkSMPTools::LocalScope(vtkSMPTools::Config(count), [&work] { work(); });
   OwnThreads = before;
