@@ -104,7 +104,8 @@ void Write(const Format& format, vtkUnstructuredGrid* grid, const std::string& f
   vtkNew<vtkGatunWriter> writer;
   writer->SetFileName(file.c_str());
   writer->SetInputData(grid);
-  writer->SetFastArrays(format.Name == "gtn-fast");
+  writer->SetProfile(
+    format.Name == "gtn-fast" ? vtkGatunWriter::PROFILE_FAST : vtkGatunWriter::PROFILE_SMALL);
   if (!writer->Write())
   {
     throw Failure(file, "cannot be written");

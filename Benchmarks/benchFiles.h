@@ -28,7 +28,7 @@ struct Format
 };
 
 /**
- * gtn with default settings, gtn-fast with FastArrays; vtu-zlib with VTK's default settings
+ * gtn with default settings, gtn-fast with the fast profile; vtu-zlib with VTK's default settings
  * (appended, not in base64); vtu-lzma-best: level 9, 32-bit ids, blocks of 32 MiB. Write also takes
  * vtu-raw, without compression.
  */

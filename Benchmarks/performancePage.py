@@ -120,7 +120,7 @@ def readme_rows(results):
     lzma, zlib = "`.vtu`, best LZMA", "`.vtu`, zlib"
     yield "File size, Delaunay mesh", "bits per tetrahedron", [bits(delaunay, "gtn")], [
         bits(delaunay, "vtu-lzma-best")], lzma, False
-    yield "The same, packed with `--fast-arrays`", "bits per tetrahedron", [bits(delaunay, "gtn-fast")], [
+    yield "The same, packed with `--profile fast`", "bits per tetrahedron", [bits(delaunay, "gtn-fast")], [
         bits(delaunay, "vtu-lzma-best")], lzma, False
     for what, form in (("first file", "gtn"), ("second one", "gtn-fast")):
         yield f"Loading the {what}", "million tetrahedra per second", *loading(
@@ -197,7 +197,7 @@ def _files(results):
                      advantage(rates(load, "gtn"), rates(load, "vtu-zlib"), True).split(" ")[0]])
     text = "## Files\n\n" + paragraph("""Bits per cell of whole files, and million cells per second from a file to
         `vtkUnstructuredGrid`. Points and cells of tetrahedral meshes are in random order, but for the grid.
-        *fast*: packed with `--fast-arrays`.""") + "\n" + table(
+        *fast*: packed with `--profile fast`.""") + "\n" + table(
             ["mesh", "cells", "`.gtn`", "fast", "LZMA `.vtu`", "advantage", "loading `.gtn`", "fast",
              "zlib `.vtu`", "advantage"], rows)
     rows = [row("loading delaunay, one thread", "million/s", *loading(results, "delaunay", 1), True)]

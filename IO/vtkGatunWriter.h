@@ -190,13 +190,18 @@ public:
 
   ///@{
   /**
-   * Whether arrays are compressed so that they are read faster. Values are not predicted by
-   * quadratic functions then. Files are larger, by 2 to 15 percent, and take one to two thirds of
-   * the time to read. Default: off.
+   * What the file is to be good at: to be small, or to be read fast, in which case tetrahedra take
+   * up to twice the space. Default: PROFILE_SMALL.
    */
-  vtkSetMacro(FastArrays, bool);
-  vtkGetMacro(FastArrays, bool);
-  vtkBooleanMacro(FastArrays, bool);
+  enum ProfileType
+  {
+    PROFILE_SMALL = 0,
+    PROFILE_FAST = 1
+  };
+  vtkSetClampMacro(Profile, int, PROFILE_SMALL, PROFILE_FAST);
+  vtkGetMacro(Profile, int);
+  void SetProfileToSmall() { this->SetProfile(PROFILE_SMALL); }
+  void SetProfileToFast() { this->SetProfile(PROFILE_FAST); }
   ///@}
 
   ///@{
@@ -431,7 +436,7 @@ protected:
   int KeepOrder = KEEP_NONE;
   int ChunkSize = 0;
   int KeyStepInterval = 8;
-  bool FastArrays = false;
+  int Profile = PROFILE_SMALL;
   bool Hierarchy = false;
   int Levels = 0;
   bool WriteBoundary = false;

@@ -143,7 +143,8 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(vtkUnstructuredGr
   options.IsSurface = this->IsSurface.value_or(false);
   options.PointsMove = this->PointsMove;
   options.Errors = this->Tolerances;
-  options.FastArrays = this->Owner->FastArrays;
+  options.Coding =
+    this->Owner->Profile == PROFILE_FAST ? gatun::Profile::Fast : gatun::Profile::Small;
   options.Boundary = this->Owner->WriteBoundary;
   if (!this->Owner->LayerArray.empty())
   {

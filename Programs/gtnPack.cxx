@@ -67,7 +67,7 @@ struct PackOptions
   int LayerComponent = -1;
   std::optional<std::string> PointTolerance; ///< as given
   std::vector<std::string> Tolerances;       ///< of arrays, as given
-  bool FastArrays = false;
+  std::string Profile = "small";
   bool FillMissing = false;
   bool Append = false;
   PieceOptions Pieces;
@@ -221,7 +221,8 @@ void Pack(const PackOptions& options, const Settings& settings)
   {
     SetOption("--tolerance", [&] { SetArrayTolerance(writer, tolerance); });
   }
-  writer->SetFastArrays(options.FastArrays);
+  writer->SetProfile(
+    options.Profile == "fast" ? vtkGatunWriter::PROFILE_FAST : vtkGatunWriter::PROFILE_SMALL);
   Input input(options.In, options.Input);
   CheckTimes(input);
   CheckWritable(options.Out, options.Overwrite || options.Append);
@@ -303,6 +304,12 @@ void AddPack(CLI::App& app, Settings& settings)
     ->check(CLI::IsMember({ "none", "points", "cells", "all" }))
     ->option_text("WHAT");
   command
+    ->add_option("--profile", options->Profile,
+      "What the file is to be good at: small (as few bytes as possible), or fast (to read; "
+      "tetrahedra take up to twice the space) (default: small)")
+    ->check(CLI::IsMember({ "small", "fast" }))
+    ->option_text("WHAT");
+  command
     ->add_option("--chunk-size", options->ChunkSize,
       "Maximum number of tetrahedra per chunk, 64 to 1048576 (default: 65536; 131072 for more than "
       "one million tetrahedra, 262144 for more than 10 million; a quarter of that with --layers)")
@@ -354,9 +361,6 @@ void AddPack(CLI::App& app, Settings& settings)
       "is stored without loss)")
     ->allow_extra_args(false)
     ->option_text("NAME=KIND:E");
-  command->add_flag("--fast-arrays", options->FastArrays,
-    "Compress arrays so that they are read faster, in one to two thirds of the time. The file is "
-    "larger, by 2 to 15 percent (default: as small as possible)");
   AddPieceOptions(command, options->Pieces);
   command->add_flag("--keep-apart", options->Input.KeepApart,
     "With --pieces or --memory, do not join the points that several files of a mesh have in "

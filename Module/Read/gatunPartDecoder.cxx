@@ -198,6 +198,7 @@ void PartDecoder::DecodePoints(std::uint32_t chunk, const ChunkMesh& mesh,
   std::span<ComponentKeys> keys, PartFits& fits) const
 {
   const auto mode = ArrayModes::Read(stream).Spatial;
+  CheckPointMode(mode, mesh.Walk);
   auto context = MakePointContext(mesh);
   if (mode == SpatialMode::Fit)
   {

@@ -205,6 +205,13 @@ struct Bounds : std::array<Range, 3>
   }
 };
 
+/** What a file is to be good at. */
+enum class Profile : std::uint8_t
+{
+  Small, ///< the smallest file
+  Fast   ///< opens at the speed of memory, and is up to twice as large
+};
+
 /** Flags: the parts of the original order that a file keeps. */
 enum KeepOrder : std::uint8_t
 {

@@ -3,6 +3,7 @@ gatun_core_folder(Values
   INCLUDES
     Support
     Coding
+    Fast
     Walk
   PRIVATE_HEADERS
     gatunArrayCodec.h
@@ -11,6 +12,7 @@ gatun_core_folder(Values
     gatunBoundedValues.h
     gatunDomainSurvey.h
     gatunExactValues.h
+    gatunFastArrays.h
     gatunGuess.h
     gatunNearestPicker.h
     gatunNeighborFit.h

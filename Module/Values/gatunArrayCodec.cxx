@@ -5,6 +5,8 @@
 
 #include "gatunBoundedValues.h"
 #include "gatunExactValues.h"
+#include "gatunFastArrays.h"
+#include "gatunGateValues.h"
 #include "gatunGuess.h"
 #include "gatunNeighborFit.h"
 #include "gatunPlainCoder.h"
@@ -344,12 +346,6 @@ void CodeCellComponents(Coder& coder, const ArrayModes& modes, const CellContext
   }
 }
 
-bool HaveBefore(std::span<const ComponentKeys> components)
-{
-  return std::all_of(components.begin(), components.end(),
-    [](const ComponentKeys& keys) { return keys.Before.size() == keys.Now.size(); });
-}
-
 /** The place of a mode if they are ordered by the time to decode a stream. */
 int GetSlowness(SpatialMode mode, bool hasWeights)
 {
@@ -387,8 +383,7 @@ Bytes EncodeBest(std::span<const SpatialMode> spatial, std::span<const Domain> d
   std::span<ComponentKeys> components, const ModeChoice& choice, Code&& code)
 {
   // The values that readers will have depend on the modes if they are rounded.
-  const bool areRounded = std::any_of(domains.begin(), domains.end(),
-    [](const Domain& domain) { return static_cast<bool>(domain.GetQuantizer()); });
+  const bool areRounded = AreRounded(domains);
   const bool hasBefore = HaveBefore(components);
   const auto values = components.empty() ? 0 : components.size() * components.front().Now.size();
   Bytes best;
@@ -439,7 +434,7 @@ void CheckBefore(const ArrayModes& modes, std::span<const ComponentKeys> compone
 //------------------------------------------------------------------------------
 ArrayModes ArrayModes::Read(std::span<const std::uint8_t> stream)
 {
-  if (stream.size() < 2 || stream[0] > 4 || stream[1] > 2)
+  if (stream.size() < 2 || stream[0] > 5 || stream[1] > 2)
   {
     ThrowCorrupt("an array's stream has an unknown mode");
   }
@@ -452,10 +447,30 @@ ArrayModes ArrayModes::Read(std::span<const std::uint8_t> stream)
   return modes;
 }
 
+void CheckPointMode(SpatialMode mode, const Topology& mesh)
+{
+  const bool isOfWalk = mode != SpatialMode::Fast && mode != SpatialMode::Previous;
+  if (mesh.HasTree() ? isOfWalk : mode == SpatialMode::Fast)
+  {
+    ThrowCorrupt("an array's stream has a mode that its chunk cannot have");
+  }
+}
+
 Bytes EncodePointValues(const PointContext& context, std::span<const Domain> domains,
   std::span<ComponentKeys> components, const ModeChoice& choice)
 {
-  std::vector<SpatialMode> modes{ SpatialMode::Gate, SpatialMode::Previous };
+  if (context.Mesh->HasTree() && !AreRounded(domains))
+  {
+    const GateVertices vertices{ context.Mesh->Gates, context.Mesh->Sources };
+    return EncodeFast(domains, components,
+      [&](ByteWriter& out, const Domain& domain, const GateKeys& keys)
+      { PutVertexValues(out, domain, vertices, keys); });
+  }
+  std::vector<SpatialMode> modes{ SpatialMode::Previous };
+  if (!context.Mesh->HasTree())
+  {
+    modes.insert(modes.begin(), SpatialMode::Gate);
+  }
   if (context.Fit)
   {
     modes.insert(modes.begin(), SpatialMode::Fit);
@@ -475,10 +490,19 @@ void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext&
 {
   const auto modes = ArrayModes::Read(stream);
   CheckBefore(modes, components);
+  CheckPointMode(modes.Spatial, *context.Mesh);
   if ((modes.Spatial == SpatialMode::Fit && !context.Fit) ||
     (IsQuadratic(modes.Spatial) && !context.Quadratic))
   {
     ThrowCorrupt("a stream needs neighbors that are not there");
+  }
+  if (modes.Spatial == SpatialMode::Fast)
+  {
+    const GateVertices vertices{ context.Mesh->Gates, context.Mesh->Sources };
+    DecodeFast(stream, modes.Temporal, domains, components,
+      [&](ByteReader& in, const Domain& domain, const GateKeys& keys)
+      { GetVertexValues(in, domain, vertices, keys); });
+    return;
   }
   EntropyDecoder coder(stream.subspan(2));
   CodePointComponents(coder, modes, context, domains, components);
@@ -487,6 +511,12 @@ void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext&
 Bytes EncodeCellValues(const CellContext& context, std::span<const Domain> domains,
   std::span<ComponentKeys> components, const ModeChoice& choice)
 {
+  if (context.Coder == Profile::Fast && !AreRounded(domains))
+  {
+    return EncodeFast(domains, components,
+      [&](ByteWriter& out, const Domain& domain, const GateKeys& keys)
+      { PutItemValues(out, domain, context.Parents, keys); });
+  }
   std::vector<SpatialMode> modes{ SpatialMode::Previous };
   if (!context.IsBlock())
   {
@@ -511,6 +541,13 @@ void DecodeCellValues(std::span<const std::uint8_t> stream, const CellContext& c
     (IsQuadratic(modes.Spatial) && !context.Quadratic))
   {
     ThrowCorrupt("a stream needs places around it that are not there");
+  }
+  if (modes.Spatial == SpatialMode::Fast)
+  {
+    DecodeFast(stream, modes.Temporal, domains, components,
+      [&](ByteReader& in, const Domain& domain, const GateKeys& keys)
+      { GetItemValues(in, domain, context.Parents, keys); });
+    return;
   }
   EntropyDecoder coder(stream.subspan(2));
   CodeCellComponents(coder, modes, context, domains, components);

@@ -28,6 +28,9 @@ struct ArrayModes
   static ArrayModes Read(std::span<const std::uint8_t> stream);
 };
 
+/** Throws unless points of this mesh of a chunk can have values of a mode. */
+void CheckPointMode(SpatialMode mode, const Topology& mesh);
+
 /** How much smaller a stream must be to be worth a slower mode. */
 struct ModeChoice
 {

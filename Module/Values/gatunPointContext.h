@@ -25,7 +25,8 @@ enum class SpatialMode : std::uint8_t
   Gate = 1,      ///< points: the rule that predicted the coordinates; cells: the parent tetrahedron
   Fit = 2,       ///< points: a linear function fitted to the known neighbors
   Quadratic = 3, ///< a quadratic and a linear function, and the rule of Gate, blended
-  PlainQuadratic = 4 ///< the quadratic function alone
+  PlainQuadratic = 4, ///< the quadratic function alone
+  Fast = 5 ///< points: a rule of the stream for all gates; cells: the parent; without range coder
 };
 
 /** Whether a mode needs a QuadraticFit. */
@@ -63,6 +64,7 @@ struct CellContext
 {
   std::span<const std::uint32_t> Parents{}; // of the cells of a chunk, Topology::NoTet for a seed
   const QuadraticFit* Quadratic = nullptr;  // may be null if no stream uses it
+  Profile Coder = Profile::Small;           // of streams to write
 
   bool IsBlock() const { return this->Parents.empty(); }
 };

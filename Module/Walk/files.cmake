@@ -4,6 +4,7 @@ gatun_core_folder(Walk
     Support
     Cells
     Coding
+    Fast
   PRIVATE_HEADERS
     gatunAttachedNodes.h
     gatunCandidate.h
@@ -14,13 +15,14 @@ gatun_core_folder(Walk
     gatunCellListCoder.h
     gatunCellRules.h
     gatunChunkCodec.h
+    gatunChunkMesh.h
     gatunChunkPlaces.h
     gatunChunkTets.h
+    gatunCornerRotation.h
     gatunEncoderMarks.h
     gatunEncoderPolygons.h
     gatunEncoderSurface.h
     gatunFaceMarks.h
-    gatunFaceTable.h
     gatunFillRecord.h
     gatunFrameCoder.h
     gatunFront.h
@@ -49,6 +51,7 @@ gatun_core_folder(Walk
     gatunSurfaceWalk.h
     gatunTetGeometry.h
     gatunTopology.h
+    gatunTreeChunk.h
     gatunVertexHash.h
     gatunVertexRing.h
     gatunWalk.h
@@ -57,6 +60,7 @@ gatun_core_folder(Walk
     gatunCellCodec.cxx
     gatunCellCorners.cxx
     gatunCellGeometry.cxx
+    gatunChunkMesh.cxx
     gatunChunkTets.cxx
     gatunEncoderMarks.cxx
     gatunEncoderPolygons.cxx
@@ -66,5 +70,6 @@ gatun_core_folder(Walk
     gatunGeometry.cxx
     gatunSharedSearch.cxx
     gatunTetGeometry.cxx
+    gatunTreeChunk.cxx
     # Last, so that a unity build compiles the two largest sources apart.
     gatunChunkCodec.cxx)

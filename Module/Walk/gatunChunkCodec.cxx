@@ -4,9 +4,11 @@
 #include "gatunChunkCodec.h"
 
 #include "gatunChunkPlaces.h"
+#include "gatunCornerRotation.h"
 #include "gatunFaceTable.h"
 #include "gatunFloatEnvironment.h"
 #include "gatunTetGeometry.h"
+#include "gatunTreeChunk.h"
 #include "gatunWalk.h"
 
 #include <optional>
@@ -18,13 +20,9 @@ namespace
 constexpr std::uint8_t FlagAngle = 1;
 constexpr std::uint8_t FlagPlain = 2;
 constexpr std::uint8_t FlagFlips = 4;
+constexpr std::uint8_t FlagTree = 8; // alone
 
 using Tets = std::span<const std::array<std::uint32_t, 4>>;
-
-unsigned FindCorner(const std::array<std::uint32_t, 4>& tet, std::uint32_t vertex)
-{
-  return tet[1] == vertex ? 1 : tet[2] == vertex ? 2 : tet[3] == vertex ? 3 : 0;
-}
 
 /** Provides the mesh to the walk of the encoder. */
 class EncoderSide
@@ -32,10 +30,9 @@ class EncoderSide
 public:
   EncoderSide(const FaceTable& faces, std::uint32_t shared, std::span<const LatticePoint> ownPlaces)
     : Faces(faces)
-    , Unvisited(faces.Firsts)
+    , Visits(faces)
     , Shared(shared)
     , OwnPlaces(ownPlaces)
-    , Visited(faces.Rows.size(), 0)
     , Met(shared + ownPlaces.size(), NoVertex)
   {
     this->OwnOrder.reserve(ownPlaces.size());
@@ -47,7 +44,7 @@ public:
   {
     const auto& parent = this->Faces.Rows[this->TetOrder[gate.Open - 1]];
     const auto face =
-      this->GetUnvisited(parent.Over[FindCorner(parent.Corners, this->InputOf[gate.Apex])]);
+      this->Visits.Find(parent.Over[FindCorner(parent.Corners, this->InputOf[gate.Apex])]);
     if (face == FaceTable::None)
     {
       return Topology::NoTet;
@@ -61,12 +58,9 @@ public:
 
   void NextSeed()
   {
-    while (this->Visited[this->Seed])
-    {
-      ++this->Seed;
-    }
-    this->Begun = this->Faces.Rows[this->Seed].Corners;
-    this->Visit(this->Seed);
+    const auto seed = this->Visits.FindFirst();
+    this->Begun = this->Faces.Rows[seed].Corners;
+    this->Visit(seed);
   }
 
   Vertex GetTarget(unsigned i) const { return this->Met[this->Begun[i]]; }
@@ -90,24 +84,9 @@ public:
   std::vector<std::uint32_t> InputOf; // the input's vertex of each one of the walk
 
 private:
-  /** The first unvisited face with the same corners as one of FaceTable::Row, or None. */
-  std::uint32_t GetUnvisited(std::uint32_t over)
-  {
-    if (!FaceTable::IsGroup(over))
-    {
-      return over != FaceTable::None && this->Visited[over / 4] ? FaceTable::None : over;
-    }
-    auto& first = this->Unvisited[FaceTable::GetGroup(over)];
-    while (first != FaceTable::None && this->Visited[first / 4])
-    {
-      first = this->Faces.Next[first];
-    }
-    return first;
-  }
-
   void Visit(std::uint32_t tet)
   {
-    this->Visited[tet] = 1;
+    this->Visits.Visit(tet);
     this->TetOrder.push_back(tet);
   }
 
@@ -118,13 +97,11 @@ private:
   }
 
   const FaceTable& Faces;
-  std::vector<std::uint32_t> Unvisited; // the first face of each group that may be unvisited
+  FaceVisits Visits;
   const std::uint32_t Shared;
   std::span<const LatticePoint> OwnPlaces;
-  std::vector<char> Visited;
   std::vector<Vertex> Met;
   std::array<std::uint32_t, 4> Begun{};
-  std::uint32_t Seed = 0;
 };
 
 /** Receives vertices from the walk of the decoder and decodes their coordinates. */
@@ -168,46 +145,6 @@ private:
   GeometryCoder<EntropyDecoder> Geometry;
   ChunkMesh& Mesh;
 };
-
-/** Compares inline, where std::array calls a function. */
-bool IsSame(const std::array<std::uint32_t, 4>& a, const std::array<std::uint32_t, 4>& b)
-{
-  return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2]) | (a[3] ^ b[3])) == 0;
-}
-
-/** The rotation that converts walked corners to those of the input. flip: whether they are
- * mirrored. */
-std::uint8_t FindRotation(const std::array<std::uint32_t, 4>& walked,
-  const std::array<std::uint32_t, 4>& wanted, bool& flip)
-{
-  // Indexed by the positions of the first two wanted corners among the walked ones. Each pair has
-  // one even permutation; mirrored corners use the same with 2 and 3 exchanged.
-  static const auto rotations = []
-  {
-    std::array<std::uint8_t, 16> table{};
-    for (std::uint8_t r = 0; r < 12; ++r)
-    {
-      const auto order = RotateCorners(std::array<unsigned, 4>{ 0, 1, 2, 3 }, r);
-      table[4 * order[0] + order[1]] = r;
-    }
-    return table;
-  }();
-  flip = false;
-  if (IsSame(walked, wanted))
-  {
-    return 0;
-  }
-  const auto first = FindCorner(walked, wanted[0]);
-  const auto second = FindCorner(walked, wanted[1]);
-  const auto rotation = rotations[4 * first + second];
-  flip = !IsSame(RotateCorners(walked, rotation), wanted);
-  if (!flip)
-  {
-    return rotation;
-  }
-  const auto mirror = [](unsigned place) { return place < 2 ? place : 5 - place; };
-  return rotations[4 * mirror(first) + mirror(second)];
-}
 
 /** Codes whether tetrahedra mirror the order of the walk, with those of their parents as context,
  * and mirrors them. */
@@ -347,31 +284,18 @@ Attempt EncodeConnectivity(
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::array<double, 3>> GetPlaces(
-  std::span<const PointKeys> keys, const PointDomain& domains)
-{
-  std::vector<std::array<double, 3>> places(keys.size());
-  for (unsigned i = 0; i < 3; ++i)
-  {
-    const bool isFloat32 = Float32Domain::Matches(domains[i]);
-    for (std::size_t v = 0; v < places.size(); ++v)
-    {
-      const Key key = keys[v][i];
-      places[v][i] = isFloat32 ? Float32Domain::ToNumber(key) : domains[i].ToValue(key);
-    }
-  }
-  return places;
-}
-
-std::vector<std::array<double, 3>> ChunkMesh::GetPlaces() const
-{
-  return gatun::GetPlaces(this->Keys, this->Domains);
-}
-
-//------------------------------------------------------------------------------
-EncodedChunk EncodeChunk(const ChunkFrame& frame, Tets tets, std::span<const PointKeys> ownKeys)
+EncodedChunk EncodeChunk(
+  const ChunkFrame& frame, Tets tets, std::span<const PointKeys> ownKeys, Profile profile)
 {
   const FloatEnvironment guard;
+  if (profile == Profile::Fast && FitsTree(frame.SharedKeys.size() + ownKeys.size()))
+  {
+    auto result = EncodeTreeChunk(frame, tets, ownKeys);
+    auto& stream = result.Connectivity;
+    stream.insert(stream.begin(), FlagTree);
+    stream.resize(std::max<std::size_t>(stream.size(), tets.size() / MaxItemsPerByte + 1), 0);
+    return result;
+  }
   const Lattice lattice(frame.Box);
   const auto shared = MapShared(lattice, frame.Domains, frame.SharedKeys, frame.SharedUsers);
   std::vector<LatticePoint> ownPlaces(ownKeys.size());
@@ -413,6 +337,10 @@ ChunkMesh DecodeChunk(const ChunkFrame& frame, std::span<const std::uint8_t> con
     ThrowCorrupt("a chunk claims more tetrahedra than its stream can hold");
   }
   const auto flags = connectivity[0];
+  if (flags == FlagTree)
+  {
+    return DecodeTreeChunk(frame, connectivity.subspan(1), geometry);
+  }
   if (flags & ~(FlagAngle | FlagPlain | FlagFlips))
   {
     ThrowCorrupt("a connectivity stream has unknown flags");

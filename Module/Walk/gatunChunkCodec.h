@@ -6,96 +6,28 @@
 
 // Encoding of the mesh of a chunk as a connectivity and a geometry stream.
 
-#include "gatunBytes.h"
-#include "gatunCellList.h"
-#include "gatunCellRules.h"
-#include "gatunGeometry.h"
-#include "gatunTopology.h"
+#include "gatunChunkMesh.h"
+#include "gatunCornerRotation.h"
 #include "gatunTypes.h"
 
 #include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace gatun
 {
-/** The maximum number of tetrahedra in a chunk. All numbers in a chunk fit 32 bits. */
-constexpr std::uint32_t MaxChunkTets = 1u << 20;
-
-/** The sizes of a chunk of cells that are not all tetrahedra. */
-struct CellCounts
-{
-  std::uint32_t Cells = 0;
-  std::uint32_t Corners = 0;    // the sum of all cells' point numbers
-  std::uint32_t FaceValues = 0; // the length of CellList::Faces
-};
-
-/** The data of a chunk that must be known before its streams are decoded. */
-struct ChunkFrame
-{
-  std::uint32_t Tets = 0;
-  std::uint32_t OwnPoints = 0;
-  Bounds Box;
-  std::vector<PointKeys> SharedKeys;
-  std::vector<std::uint32_t> SharedUsers; // as LatticePoint::Users
-  PointDomain Domains;
-  CellCounts Cells; // all 0 in a chunk of tetrahedra, where Tets counts
-};
-
-/** A mesh in the order of its walk, which is the order of its arrays. */
-struct ChunkMesh
-{
-  Topology Walk;
-  CellList Cells;                      // empty in a chunk of tetrahedra, otherwise Walk.Tets is
-  std::vector<PointKeys> Keys;         // of all vertices in the order of the walk
-  std::vector<Vertex> OwnIds;          // the number of each own vertex in the walk
-  PredictionRules Rules;               // of a chunk of tetrahedra
-  std::vector<CellRule> CellRules;     // of another chunk, never empty there
-  std::vector<std::uint8_t> UsedRules; // one for each own vertex
-  PointDomain Domains;
-
-  /** The coordinates of all vertices. */
-  std::vector<std::array<double, 3>> GetPlaces() const;
-};
-
-/** The coordinates of points. */
-std::vector<std::array<double, 3>> GetPlaces(
-  std::span<const PointKeys> keys, const PointDomain& domains);
-
-struct EncodedChunk
-{
-  Bytes Connectivity;
-  Bytes Geometry;
-  ChunkMesh Mesh;
-  std::vector<std::uint32_t> OwnOrder; // own vertex -> own vertex of the input
-  std::vector<std::uint32_t> TetOrder; // tetrahedron -> tetrahedron of the input
-
-  /** For each tetrahedron, the rotation that restores the input's corners: see RotateCorners. */
-  std::vector<std::uint8_t> Corners;
-};
-
 /**
  * Encodes a chunk. Shared vertices come first, in the order of the frame, then own vertices with
- * ownKeys. Every vertex must be used. The bytes depend only on the input.
+ * ownKeys. Every vertex must be used. The bytes depend only on the input. The fast profile is for
+ * up to TetTree::MaxVertices vertices; more have the small one.
  */
 EncodedChunk EncodeChunk(const ChunkFrame& frame,
-  std::span<const std::array<std::uint32_t, 4>> tets, std::span<const PointKeys> ownKeys);
+  std::span<const std::array<std::uint32_t, 4>> tets, std::span<const PointKeys> ownKeys,
+  Profile profile = Profile::Small);
 
 /** Decodes the streams of EncodeChunk. Safe on hostile input: throws Error(Corrupt). */
 ChunkMesh DecodeChunk(const ChunkFrame& frame, std::span<const std::uint8_t> connectivity,
   std::span<const std::uint8_t> geometry);
-
-/** Applies one of the 12 even permutations of four corners; 0 is the identity. */
-template <typename T>
-std::array<T, 4> RotateCorners(const std::array<T, 4>& corners, unsigned rotation)
-{
-  static constexpr std::uint8_t orders[12][4] = { { 0, 1, 2, 3 }, { 0, 2, 3, 1 }, { 0, 3, 1, 2 },
-    { 1, 0, 3, 2 }, { 1, 3, 2, 0 }, { 1, 2, 0, 3 }, { 2, 3, 0, 1 }, { 2, 0, 1, 3 }, { 2, 1, 3, 0 },
-    { 3, 2, 1, 0 }, { 3, 1, 0, 2 }, { 3, 0, 2, 1 } };
-  const auto* order = orders[rotation];
-  return { corners[order[0]], corners[order[1]], corners[order[2]], corners[order[3]] };
-}
 }
 
 #endif

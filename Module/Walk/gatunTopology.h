@@ -5,6 +5,7 @@
 #define gatunTopology_h
 
 #include "gatunFront.h"
+#include "gatunTetTree.h"
 
 #include <array>
 #include <cstdint>
@@ -82,22 +83,27 @@ struct Topology
 
   // The number of each vertex among the chunk's shared vertices, with SharedFlag, or its own ones.
   std::vector<std::uint32_t> Sources;
+
+  // A chunk of tetrahedra in the fast profile has gates (TetTree) and nothing of the following.
+  std::vector<PackedTet> Gates;               // one for each vertex
   std::vector<GateRecord> Records;            // one for each own vertex of a chunk of tetrahedra
   std::vector<CellRecord> CellRecords;        // and of other chunks
   std::vector<std::array<Vertex, 2>> EdgeLog; // all edges in the order in which the walk made them
 
+  bool HasTree() const { return !this->Gates.empty(); }
   std::size_t GetOwnVertices() const { return this->Records.size() + this->CellRecords.size(); }
   bool IsShared(Vertex v) const { return (this->Sources[v] & SharedFlag) != 0; }
 
   /** The number of each own vertex in the walk. */
   std::vector<Vertex> FindOwnIds() const
   {
-    std::vector<Vertex> ids(this->GetOwnVertices());
+    std::vector<Vertex> ids;
+    ids.reserve(this->GetOwnVertices());
     for (Vertex v = 0; v < this->Sources.size(); ++v)
     {
       if (!this->IsShared(v))
       {
-        ids[this->Sources[v]] = v;
+        ids.push_back(v);
       }
     }
     return ids;

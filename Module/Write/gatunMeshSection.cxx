@@ -19,13 +19,12 @@ namespace gatun
 {
 namespace
 {
-Bytes EncodeRotations(
-  const std::vector<std::uint8_t>& rotations, std::span<const std::uint32_t> parents)
+Bytes EncodeRotations(const std::vector<std::uint8_t>& rotations, const CellContext& context)
 {
   const Domain domain(ScalarType::UInt8);
   ComponentKeys keys;
   keys.Now.assign(rotations.begin(), rotations.end());
-  return EncodeCellValues({ parents }, { &domain, 1 }, { &keys, 1 });
+  return EncodeCellValues(context, { &domain, 1 }, { &keys, 1 });
 }
 }
 
@@ -238,13 +237,14 @@ MeshSection::BlockStreams MeshSection::EncodeBlock(
       keys[axis].Now[i] = pointKeys[i][axis];
     }
   }
-  streams.Geometry = EncodeCellValues({}, this->Domains, keys);
+  const CellContext block{ {}, nullptr, this->State.Options.Coding };
+  streams.Geometry = EncodeCellValues(block, this->Domains, keys);
   streams.Geometry.resize(
     std::max<std::size_t>(streams.Geometry.size(), pointKeys.size() / MaxItemsPerByte + 1), 0);
   if (this->State.Options.Keep & KeepPoints)
   {
     const Domain ids(GetNumberType(this->State.Meta.Points));
-    streams.Order = EncodeCellValues({}, { &ids, 1 }, { &numbers, 1 });
+    streams.Order = EncodeCellValues(block, { &ids, 1 }, { &numbers, 1 });
   }
   return streams;
 }
@@ -430,13 +430,14 @@ MeshSection::ChunkStreams MeshSection::EncodeChunk(WriterPart& part, std::size_t
   };
   if (info.IsTetrahedral)
   {
-    auto encoded = gatun::EncodeChunk(frame, local.Tets, ownKeys);
+    auto encoded = gatun::EncodeChunk(frame, local.Tets, ownKeys, this->State.Options.Coding);
     take(encoded);
     cellOrder = std::move(encoded.TetOrder);
     info.Tets = cellOrder.size();
     if (keepsCorners)
     {
-      streams.Corners = EncodeRotations(encoded.Corners, state.Mesh.Walk.Parents);
+      streams.Corners = EncodeRotations(
+        encoded.Corners, { state.Mesh.Walk.Parents, nullptr, this->State.Options.Coding });
     }
   }
   else
@@ -493,7 +494,8 @@ void MeshSection::EncodeOrder(
     {
       keys.Now.push_back(part.Place.FirstCell + cell);
     }
-    streams.CellOrder = EncodeCellValues({ chunk.Mesh.Walk.Parents }, { &ids, 1 }, { &keys, 1 });
+    const CellContext cells{ chunk.Mesh.Walk.Parents, nullptr, this->State.Options.Coding };
+    streams.CellOrder = EncodeCellValues(cells, { &ids, 1 }, { &keys, 1 });
   }
 }
 

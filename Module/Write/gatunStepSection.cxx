@@ -378,13 +378,14 @@ std::vector<Bytes> StepSection::EncodeBlock(const WriterPart& part, std::size_t 
   {
     if (inputs[a].Description->Where == Association::Point && !inputs[a].IsCopy && !points.empty())
     {
-      if (!fit && !this->State.Options.FastArrays)
+      const auto profile = this->State.Options.Coding;
+      if (!fit && profile == Profile::Small)
       {
         fit.emplace(GetPlaces(part.Mesh.GetMesh(), points));
       }
       auto keys = inputs[a].GetKeys(points);
       streams[a] = EncodeCellValues(
-        { {}, fit ? &*fit : nullptr }, inputs[a].Domains, keys, inputs[a].GetModeChoice());
+        { {}, fit ? &*fit : nullptr, profile }, inputs[a].Domains, keys, inputs[a].GetModeChoice());
     }
   }
   return streams;
@@ -408,7 +409,8 @@ std::vector<Bytes> StepSection::EncodeUnused()
         : input.IsPoints && this->FindReference(a) == 0 ? this->State.Unused.Coordinates.data()
                                                         : unused[this->Count - 1][a].data();
       auto keys = input.GetKeys(points);
-      streams[a] = EncodeCellValues({}, input.Domains, keys);
+      streams[a] =
+        EncodeCellValues({ {}, nullptr, this->State.Options.Coding }, input.Domains, keys);
     }
   }
   return streams;
@@ -449,16 +451,18 @@ std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
   const FloatEnvironment guard;
   auto& step = this->GetStep();
   auto& state = part.Chunks[chunk];
-  const bool isFast = this->State.Options.FastArrays;
-  const auto fits = isFast ? ContextFits::Linear : ContextFits::All;
-  const ArrayContext points(
-    state.Mesh, step.HasValues(Association::Point) ? fits : ContextFits::None);
+  const auto profile = this->State.Options.Coding;
+  const auto fits = state.Mesh.Walk.HasTree() || !step.HasValues(Association::Point)
+    ? ContextFits::None
+    : profile == Profile::Fast ? ContextFits::Linear
+                               : ContextFits::All;
+  const ArrayContext points(state.Mesh, fits);
   std::optional<QuadraticFit> cellFit;
-  if (step.HasValues(Association::Cell) && !isFast)
+  if (step.HasValues(Association::Cell) && profile == Profile::Small)
   {
     cellFit.emplace(FitCells(state.Mesh));
   }
-  const CellContext cells{ state.Mesh.Walk.Parents, cellFit ? &*cellFit : nullptr };
+  const CellContext cells{ state.Mesh.Walk.Parents, cellFit ? &*cellFit : nullptr, profile };
   std::vector<Bytes> streams;
   for (std::size_t a = 0; a < step.Arrays.size(); ++a)
   {

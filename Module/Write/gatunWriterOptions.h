@@ -63,9 +63,8 @@ struct WriterOptions
    * bounds refer to the range of all parts at each time step. */
   std::vector<ArrayError> Errors;
 
-  /** Whether to skip predictions by quadratic functions, which make arrays smaller but take longer
-   * to decode. */
-  bool FastArrays = false;
+  /** Whether the file is to be small or fast to read. */
+  Profile Coding = Profile::Small;
 
   /** The layers to organize the file and its base meshes by, if any. */
   std::optional<LayerRequest> Layers;

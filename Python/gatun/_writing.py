@@ -24,6 +24,7 @@ from ._classes import get_class
 from ._errors import Error, raising, set_property
 from ._types import Names, Path, list_names
 
+_PROFILES = ("small", "fast")
 _ORDERS = {"none": 0, "points": 1, "cells": 2, "corners": 4, "all": 7}
 _TOLERANCES = {"abs": 1, "rel": 2, "pw": 3, "bits": 4}
 _VOLUME_RATES = {
@@ -180,6 +181,13 @@ def _find_order(order):
     return flags
 
 
+def _find_profile(profile):
+    if profile not in _PROFILES:
+        there = ", ".join(map(repr, _PROFILES))
+        raise ValueError(f"profile: {profile!r} is not known; there are {there}")
+    return _PROFILES.index(profile)
+
+
 def _choose_arrays(writer, arrays):
     if arrays is None:
         return
@@ -279,7 +287,7 @@ def write(
     overwrite: bool = False,
     arrays: Names | None = None,
     tolerances: str | Mapping[str, str] | None = None,
-    fast_arrays: bool = False,
+    profile: str = "small",
     point_tolerance: float | str | None = None,
     keep_order: bool | Names = "none",
     hierarchy: bool = False,
@@ -317,8 +325,8 @@ def write(
             to ``"abs:E"``, ``"rel:E"``, ``"pw:E"`` or ``"bits:N"``, with ``",zeros"`` at the end if
             values of 0 have to stay; or one of these texts for all arrays. See
             ``vtkGatunWriter.SetArrayTolerance``.
-        fast_arrays: whether arrays are compressed so that they are read faster, in a file that is 2
-            to 15 percent larger.
+        profile: what the file is to be good at: ``"small"``, or ``"fast"`` to read, in which case
+            tetrahedra take up to twice the space.
         point_tolerance: how much coordinates may change: a number in their units, or ``"abs:E"``,
             ``"rel:E"`` (of the longest side of the bounds) or ``"bits:N"``.
         keep_order: the original order that the file keeps: ``"none"``, ``"points"``, ``"cells"``,
@@ -372,7 +380,7 @@ def write(
     writer.SetFileName(path)
     _choose_arrays(writer, arrays)
     _set_tolerances(writer, tolerances)
-    writer.SetFastArrays(bool(fast_arrays))
+    writer.SetProfile(_find_profile(profile))
     writer.SetFillMissingArrays(bool(fill_missing))
     writer.SetAppend(bool(append))
     _set_point_tolerance(writer, point_tolerance)

@@ -17,7 +17,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkSMPTools.h"
 #include "vtkTable.h"
 #include "vtkTestUtilities.h"
 #include "vtkUnstructuredGrid.h"
@@ -173,9 +172,12 @@ int TestReaderMemory(int argc, char* argv[])
   std::cout << "sanitizers need address space of their own\n";
   return Skipped;
 #endif
-  // Threads would fail for lack of memory by themselves.
-  ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 1);
-  vtkSMPTools::SetBackend("Sequential"); // VTK 9.6 has read the variable by now
+  // Threads would fail for lack of memory by themselves. VTK reads this when it is loaded.
+  if (!std::getenv("VTK_SMP_BACKEND_IN_USE"))
+  {
+    std::cerr << "VTK_SMP_BACKEND_IN_USE is not set\n";
+    return EXIT_FAILURE;
+  }
 
   char* temporary =
     vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");

@@ -164,7 +164,7 @@ path = sample.temporary("properties.gtn")
 writer = simple.CreateWriter(path, sample.make_source())
 for prop in ("KeepOrder", "ChunkSize", "SplitCells", "FileName",
              "ChooseArraysToWrite", "WriteAllTimeSteps", "KeyStepInterval", "NumberOfPieces",
-             "PointTolerance", "ArrayTolerances", "FillMissingArrays", "FastArrays"):
+             "PointTolerance", "ArrayTolerances", "FillMissingArrays", "Profile"):
     assert writer.GetProperty(prop) is not None, prop
 writer.UpdatePipeline()
 reader = simple.GatunReader(FileNames=[path])

@@ -95,6 +95,7 @@ refused = [
     (gatun.InputError, "'x'", {"layers": "x"}),
     (ValueError, "layers", {"layers": ("value", 9999)}),
     (ValueError, "chunk_size", {"chunk_size": 3}),
+    (ValueError, "profile: 'tiny' is not known; there are 'small', 'fast'", {"profile": "tiny"}),
     (ValueError, "key_step_interval", {"key_step_interval": 0}),
     (ValueError, "quality", {"quality": 50}),
 ]

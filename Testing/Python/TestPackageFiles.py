@@ -55,7 +55,7 @@ back = read_arrays(write("both.gtn", keep_order=["points", "cells", "corners"]))
 require_equal(back.cells_dict["tetra"], tets)
 
 # Arrays that are read faster are those of before, in a larger file.
-fast = write("fast.gtn", fast_arrays=True, keep_order=True)
+fast = write("fast.gtn", profile="fast", keep_order=True)
 assert os.path.getsize(fast) > os.path.getsize(find("all.gtn"))
 require_equal(read_arrays(fast).point_data["smooth"], smooth)
 

@@ -77,6 +77,16 @@ def moving_grids(n, kind, digits, unused=5):
     return grids
 
 
+def fast_steps(rng):
+    grids, options = time_steps(rng)
+    return grids[:4], {**options, "times": options["times"][:4], "Profile": 1}
+
+
+def fast_motion(_):
+    grids = moving_grids(3, np.float32, [None, 3, None, None])
+    return grids, {"ChunkSize": 64, "KeepOrder": 7, "Profile": 1}
+
+
 def moving_points(_):
     """With scales at some steps, and a step at which points stay."""
     return moving_grids(3, np.float64, (-10, -10, -12, -12, -10, 3, None)), {
@@ -188,5 +198,5 @@ def two_tets_and_one(_):
 
 
 ALL = [
-    time_steps, moving_points, hierarchy_of_moving_points, series_of_meshes,
+    time_steps, fast_steps, fast_motion, moving_points, hierarchy_of_moving_points, series_of_meshes,
     series_of_hierarchies, deleted_cells, moving_deleted_cells, two_tets_and_one]

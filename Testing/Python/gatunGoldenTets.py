@@ -44,6 +44,22 @@ def original_order(rng):
     return add_usual(gm.make_grid(points, tets)), {"ChunkSize": 100, "KeepOrder": 7}
 
 
+def fast(rng):
+    points, tets = cubes((4, 4, 3))
+    points, tets = shuffle(single(jitter(points, rng)), tets, rng)
+    return add_usual(gm.make_grid(points, tets)), {"ChunkSize": 100, "KeepOrder": 7, "Profile": 1}
+
+
+def fast_flips(rng):
+    """Some tetrahedra are mirrored, two have a point twice, and one has another's points."""
+    points = rng.random((60, 3))
+    tets = delaunay(points)
+    tets = np.concatenate([tets, tets[:1], tets[:2, [0, 1, 2, 2]]])
+    mirrored = rng.random(len(tets)) < 0.3
+    tets[mirrored] = tets[mirrored][:, [0, 1, 3, 2]]
+    return add_usual(gm.make_grid(points, tets)), {"KeepOrder": 7, "Profile": 1}
+
+
 def point_order(rng):
     points, tets = cubes((3, 3, 3))
     return add_usual(gm.make_grid(single(jitter(points, rng)), tets)), {"KeepOrder": 1}
@@ -231,6 +247,6 @@ def frames(rng):
 
 
 ALL = [
-    one_tet, empty, only_points, chunks, original_order, point_order, cell_order, corner_order,
+    one_tet, empty, only_points, chunks, original_order, fast, fast_flips, point_order, cell_order, corner_order,
     unused_points, odd_coordinates, any_tets, holes, many_neighbors, turns_32, turns_33, one_place,
     searches_that_end, equal_ranks, needles, frames]

@@ -14,6 +14,7 @@ from gtn_bytes import Bytes, require
 from gtn_cells import TURNS, CellMesh, split
 from gtn_coding import (
     FLOAT32, FLOAT64, MAX_FLOAT32, UINT8, Coded, Domain, RunningSpread, divide)
+from gtn_fast import Tree, decode_items, decode_vertices
 from gtn_quadratic import (
     Lists, PlainPredictor, Predictor, decode_component, decode_places, find_cell_neighbors,
     find_cell_places, find_neighbors)
@@ -21,10 +22,11 @@ from gtn_records import CellGeometry
 from gtn_shapes import TETRA
 from gtn_walk import Geometry, Walk, key_spread
 
-PREVIOUS, GATE, FIT, QUADRATIC, PLAIN_QUADRATIC = 0, 1, 2, 3, 4
+PREVIOUS, GATE, FIT, QUADRATIC, PLAIN_QUADRATIC, FAST = 0, 1, 2, 3, 4, 5
 QUADRATICS = {QUADRATIC: Predictor, PLAIN_QUADRATIC: PlainPredictor}
 NONE, REPEAT, CHANGE = 0, 1, 2
 PROGRESSION = 3
+TREE = 8
 
 
 class ArrayStream:
@@ -37,7 +39,8 @@ class ArrayStream:
         require(self.temporal <= CHANGE, "temporal mode")
         require(self.temporal == NONE or has_before, "temporal mode without a step before")
         require(self.spatial not in QUADRATICS or self.temporal != REPEAT, "modes")
-        self.coded = Coded(stream)
+        self.stream = stream
+        self.coded = None if self.spatial == FAST else Coded(stream)
 
     def component(self, domain, snap=False):
         """Gets ready for the next component. snap: whether values with errors are on a lattice."""
@@ -104,9 +107,14 @@ def decode_list(stream, domains, count, before=None, parents=None, lists=None):
     if stream is None:
         require(count == 0, "no stream for values")
         return [[] for _ in domains]
-    modes = (PREVIOUS,) if parents is None else (PREVIOUS, GATE)
+    modes = (PREVIOUS, FAST) if parents is None else (PREVIOUS, GATE, FAST)
     modes += (*QUADRATICS,) if lists else ()
     stream = ArrayStream(stream, modes, before is not None)
+    if stream.spatial == FAST:
+        require(all(domain.bound is None for domain in domains), "bounds of errors")
+        return [
+            decode_items(stream.stream, domain, count, parents, before and before[c], stream.temporal)
+            for c, domain in enumerate(domains)]
     result = []
     for c, domain in enumerate(domains):
         stream.component(domain, parents is None)
@@ -159,7 +167,10 @@ class ChunkMesh:
         self.domains = domains
         geometry, connectivity = map(container.stream, (chunk.geometry, chunk.connectivity))
         self.is_walk = chunk.cells is None
-        if self.is_walk:
+        self.is_tree = self.is_walk and connectivity[0] == TREE
+        if self.is_tree:
+            self.walk = Tree(chunk, connectivity, geometry, domains, shared_keys)
+        elif self.is_walk:
             self.geometry = Geometry(geometry, domains)
             self.walk = Walk(chunk, connectivity, self.geometry, domains, shared_keys, users)
         else:
@@ -213,10 +224,17 @@ class ChunkMesh:
         before: what this gave at the step before, if the array has a before."""
         walk = self.walk
         require(stream is not None, "no stream for values")
-        stream = ArrayStream(stream, (PREVIOUS, GATE, FIT, *QUADRATICS), before is not None)
+        modes = (PREVIOUS, FAST) if self.is_tree else (PREVIOUS, GATE, FIT, *QUADRATICS)
+        stream = ArrayStream(stream, modes, before is not None)
         result = []
         for c, domain in enumerate(domains):
             now = [None if index is None else shared_now[c][index] for index in walk.shared]
+            if stream.spatial == FAST:
+                require(domain.bound is None, "bounds of errors")
+                decode_vertices(
+                    stream.stream, domain, walk, now, before and before[c], stream.temporal)
+                result.append(now)
+                continue
             stream.component(domain)
             if stream.spatial in QUADRATICS:
                 changes = stream.temporal == CHANGE

@@ -173,7 +173,7 @@ int vtkGatunPVWriter::WriteWhole(const std::string& name)
     writer->SetChunkSize(this->ChunkSize);
     writer->SetKeyStepInterval(this->KeyStepInterval);
     writer->SetHierarchy(hasTree);
-    writer->SetFastArrays(this->FastArrays);
+    writer->SetProfile(this->Profile);
     writer->SetLevels(this->Levels);
     writer->SetWriteBoundary(hasBoundary);
     writer->SetLayers(

@@ -123,9 +123,9 @@ inline ChunkCase MakeCase(const TestMesh& mesh, const CaseOptions& options = {})
 }
 
 /** Encodes, decodes, and compares every tetrahedron, corner for corner, and every key. */
-inline EncodedChunk ExpectRoundTrip(const ChunkCase& chunk)
+inline EncodedChunk ExpectRoundTripOf(const ChunkCase& chunk, Profile profile)
 {
-  auto encoded = EncodeChunk(chunk.Frame, chunk.Elements, chunk.OwnKeys);
+  auto encoded = EncodeChunk(chunk.Frame, chunk.Elements, chunk.OwnKeys, profile);
   const auto mesh = DecodeChunk(chunk.Frame, encoded.Connectivity, encoded.Geometry);
   EXPECT_EQ(mesh.Walk.Tets, encoded.Mesh.Walk.Tets);
   EXPECT_EQ(mesh.Walk.Parents, encoded.Mesh.Walk.Parents);
@@ -156,7 +156,16 @@ inline EncodedChunk ExpectRoundTrip(const ChunkCase& chunk)
     EXPECT_EQ(
       mesh.Keys[v], input < shared ? chunk.Frame.SharedKeys[input] : chunk.OwnKeys[input - shared]);
   }
+  EXPECT_EQ(mesh.Walk.Gates, encoded.Mesh.Walk.Gates);
+  EXPECT_EQ(mesh.Walk.HasTree(), profile == Profile::Fast && FitsTree(mesh.Keys.size()));
   return encoded;
+}
+
+/** The same in both profiles. Returns the chunk in the small one. */
+inline EncodedChunk ExpectRoundTrip(const ChunkCase& chunk)
+{
+  ExpectRoundTripOf(chunk, Profile::Fast);
+  return ExpectRoundTripOf(chunk, Profile::Small);
 }
 }
 

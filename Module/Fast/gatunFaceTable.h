@@ -195,6 +195,51 @@ private:
     return { low, a ^ b ^ c ^ low ^ high, high };
   }
 };
+
+/** Visits tetrahedra one after the other, each once. */
+class FaceVisits
+{
+public:
+  explicit FaceVisits(const FaceTable& faces)
+    : Faces(faces)
+    , Unvisited(faces.Firsts)
+    , Visited(faces.Rows.size(), 0)
+  {
+  }
+
+  void Visit(std::uint32_t tet) { this->Visited[tet] = 1; }
+
+  /** The first tetrahedron that is unvisited. There must be one. */
+  std::uint32_t FindFirst()
+  {
+    while (this->Visited[this->First])
+    {
+      ++this->First;
+    }
+    return this->First;
+  }
+
+  /** The first unvisited face with the same corners as one of FaceTable::Row, or None. */
+  std::uint32_t Find(std::uint32_t over)
+  {
+    if (!FaceTable::IsGroup(over))
+    {
+      return over != FaceTable::None && this->Visited[over / 4] ? FaceTable::None : over;
+    }
+    auto& first = this->Unvisited[FaceTable::GetGroup(over)];
+    while (first != FaceTable::None && this->Visited[first / 4])
+    {
+      first = this->Faces.Next[first];
+    }
+    return first;
+  }
+
+private:
+  const FaceTable& Faces;
+  std::vector<std::uint32_t> Unvisited; // the first face of each group that may be unvisited
+  std::vector<char> Visited;
+  std::uint32_t First = 0;
+};
 }
 
 #endif

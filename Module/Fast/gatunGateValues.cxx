@@ -1,0 +1,455 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunGateValues.h"
+
+#include "gatunNumberStream.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace gatun
+{
+namespace
+{
+/** Weights of the four vertices of a gate in units of 1/256. Their sum is 256. */
+using GateWeights = std::array<std::int16_t, 4>;
+
+/** Those that the encoder tries: the middle of the face, from there on past the vertex behind it,
+ * parallelograms, and copies. */
+constexpr std::array<GateWeights, 11> CommonWeights{ { { 85, 85, 86, 0 }, { 171, 171, 170, -256 },
+  { 128, 128, 128, -128 }, { 256, 256, -256, 0 }, { -256, 256, 256, 0 }, { 256, -256, 256, 0 },
+  { 256, 256, 0, -256 }, { 0, 256, 256, -256 }, { 256, 0, 256, -256 }, { 0, 0, 256, 0 },
+  { 256, 0, 0, 0 } } };
+
+constexpr unsigned GateSize = 4;
+
+/** Plain float32 values, which are predicted in binary32. */
+class SingleValues
+{
+public:
+  using Number = float;
+
+  explicit SingleValues(const Domain&) {}
+
+  static unsigned GetBits() { return 32; }
+  static float ToNumber(Key key) { return static_cast<float>(Float32Domain::ToNumber(key)); }
+  static Key FromNumber(float number)
+  {
+    return Float32Domain::FromNumber(static_cast<double>(number));
+  }
+  static std::uint64_t Subtract(Key key, Key predicted)
+  {
+    return FromSigned(Float32Domain::Subtract(key, predicted));
+  }
+  static Key Add(Key predicted, std::uint64_t residual)
+  {
+    return Float32Domain::Add(predicted, ToSigned(residual));
+  }
+  static bool IsValid(Key) { return true; }
+};
+
+/** Values of any domain, which are predicted in binary64. */
+class AnyValues
+{
+public:
+  using Number = double;
+
+  explicit AnyValues(const Domain& domain)
+    : Values(domain)
+  {
+  }
+
+  unsigned GetBits() const { return this->Values.GetBits(); }
+  double ToNumber(Key key) const { return this->Values.ToNumber(key); }
+  Key FromNumber(double number) const { return this->Values.FromNumber(number); }
+  std::uint64_t Subtract(Key key, Key predicted) const
+  {
+    return FromSigned(this->Values.Subtract(key, predicted));
+  }
+  Key Add(Key predicted, std::uint64_t residual) const
+  {
+    return this->Values.Add(predicted, ToSigned(residual));
+  }
+  bool IsValid(Key key) const { return this->Values.IsValid(key); }
+
+private:
+  const Domain& Values;
+};
+
+/** Calls code(values) with a class for the values of the domain. */
+template <typename Code>
+void WithValues(const Domain& domain, Code&& code)
+{
+  if (Float32Domain::Matches(domain))
+  {
+    code(SingleValues(domain));
+  }
+  else
+  {
+    code(AnyValues(domain));
+  }
+}
+
+template <typename Number>
+Number Predict(const std::array<Number, GateSize>& weights, PackedTet gate, const Number* numbers)
+{
+  return ((weights[0] * numbers[GetCorner(gate, 0)] + weights[1] * numbers[GetCorner(gate, 1)]) +
+           weights[2] * numbers[GetCorner(gate, 2)]) +
+    weights[3] * numbers[GetCorner(gate, 3)];
+}
+
+template <typename Number>
+std::array<Number, GateSize> ScaleWeights(const GateWeights& weights)
+{
+  std::array<Number, GateSize> scaled{};
+  std::transform(weights.begin(), weights.end(), scaled.begin(),
+    [](std::int16_t weight) { return static_cast<Number>(weight) * Number{ 0.00390625 }; });
+  return scaled;
+}
+
+/** Predicts the keys of vertices in order. */
+template <typename Values>
+class VertexPredictor
+{
+public:
+  using Number = typename Values::Number;
+
+  VertexPredictor(const Values& values, const GateVertices& vertices, const GateKeys& keys,
+    const GateWeights& weights)
+    : Coded(values)
+    , Vertices(vertices)
+    , Keys(keys)
+    , Weights(ScaleWeights<Number>(weights))
+    , Numbers(keys.Now.size())
+  {
+    for (std::size_t v = 0; v < this->Numbers.size(); ++v)
+    {
+      this->Numbers[v] = (vertices.Sources[v] & TetTree::SharedFlag) != 0
+        ? values.ToNumber(keys.Now[v])
+        : Number{ 0 };
+    }
+    if (keys.Use == BeforeUse::Change)
+    {
+      this->NumbersBefore.resize(this->Numbers.size());
+      std::transform(keys.Before.begin(), keys.Before.end(), this->NumbersBefore.begin(),
+        [&values](Key key) { return values.ToNumber(key); });
+    }
+  }
+
+  Key Predict(std::size_t v) const
+  {
+    if (this->Keys.Use == BeforeUse::Repeat)
+    {
+      return this->Keys.Before[v];
+    }
+    const auto gate = this->Vertices.Gates[v];
+    const auto number = gatun::Predict(this->Weights, gate, this->Numbers.data());
+    return this->Coded.FromNumber(this->Keys.Use == BeforeUse::None ? number
+                                                                    : this->NumbersBefore[v] +
+          (number - gatun::Predict(this->Weights, gate, this->NumbersBefore.data())));
+  }
+
+  /** Tells the key of a vertex. */
+  void Set(std::size_t v, Key key)
+  {
+    this->Keys.Now[v] = key;
+    this->Numbers[v] = this->Coded.ToNumber(key);
+  }
+
+private:
+  const Values& Coded;
+  const GateVertices& Vertices;
+  const GateKeys& Keys;
+  const std::array<Number, GateSize> Weights;
+  std::vector<Number> Numbers;
+  std::vector<Number> NumbersBefore;
+};
+
+/** The place in a gate of the first vertex with a key, or GateSize. */
+unsigned FindCopy(PackedTet gate, std::span<const Key> keys, Key key)
+{
+  for (unsigned k = 0; k < GateSize; ++k)
+  {
+    if (keys[GetCorner(gate, k)] == key)
+    {
+      return k;
+    }
+  }
+  return GateSize;
+}
+
+bool IsOwn(const GateVertices& vertices, std::size_t v)
+{
+  return (vertices.Sources[v] & TetTree::SharedFlag) == 0;
+}
+
+/** The bits that some vertices would take. */
+class CostOfWeights
+{
+public:
+  template <typename Values>
+  static double Find(const Values& values, const GateVertices& vertices, const GateKeys& keys,
+    const GateWeights& weights, bool copies)
+  {
+    // Known numbers only: this is a sample of vertices, whose keys are all known to the encoder.
+    using Number = typename Values::Number;
+    constexpr std::size_t samples = 1024;
+    const auto scaled = ScaleWeights<Number>(weights);
+    const auto step = std::max<std::size_t>(1, keys.Now.size() / samples);
+    std::array<std::uint32_t, 69> counts{};
+    double bits = 0;
+    double all = 0;
+    for (std::size_t v = 1; v < keys.Now.size(); v += step)
+    {
+      const auto gate = vertices.Gates[v];
+      const auto predict = [&](std::span<const Key> from)
+      {
+        Number sum = 0;
+        for (unsigned k = 0; k < GateSize; ++k)
+        {
+          sum += scaled[k] * values.ToNumber(from[GetCorner(gate, k)]);
+        }
+        return sum;
+      };
+      const Number number = keys.Use == BeforeUse::Change
+        ? values.ToNumber(keys.Before[v]) + (predict(keys.Now) - predict(keys.Before))
+        : predict(keys.Now);
+      auto length = static_cast<unsigned>(
+        std::bit_width(values.Subtract(keys.Now[v], values.FromNumber(number))));
+      if (copies && length > 0 && FindCopy(gate, keys.Now, keys.Now[v]) < GateSize)
+      {
+        length = values.GetBits() + 1 + FindCopy(gate, keys.Now, keys.Now[v]);
+      }
+      ++counts[length];
+      bits += length <= values.GetBits() ? GetLowBits(length) : 0;
+      ++all;
+    }
+    for (const auto count : counts)
+    {
+      bits += count > 0 ? count * std::log2(all / count) : 0;
+    }
+    return bits;
+  }
+};
+
+struct VertexRule
+{
+  GateWeights Weights{ CommonWeights[0] };
+  bool Copies = false;
+};
+
+template <typename Values>
+VertexRule ChooseRule(const Values& values, const GateVertices& vertices, const GateKeys& keys)
+{
+  VertexRule best;
+  if (keys.Use == BeforeUse::Repeat || keys.Now.empty())
+  {
+    return best;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& weights : CommonWeights)
+  {
+    for (const bool copies : { false, true })
+    {
+      // Copies are slower to decode.
+      const double worth = copies ? 0.98 : 1;
+      const double bits = CostOfWeights::Find(values, vertices, keys, weights, copies);
+      if (bits < worth * least)
+      {
+        least = bits;
+        best = { weights, copies };
+      }
+    }
+  }
+  return best;
+}
+
+template <typename Values>
+void PutVertices(
+  ByteWriter& out, const Values& values, const GateVertices& vertices, const GateKeys& keys)
+{
+  const auto rule = ChooseRule(values, vertices, keys);
+  VertexPredictor<Values> predictor(values, vertices, keys, rule.Weights);
+  Bytes lengths;
+  BitWriter bits;
+  for (std::size_t v = 0; v < keys.Now.size(); ++v)
+  {
+    if (!IsOwn(vertices, v))
+    {
+      continue;
+    }
+    const Key key = keys.Now[v];
+    const auto residual = values.Subtract(key, predictor.Predict(v));
+    auto length = static_cast<unsigned>(std::bit_width(residual));
+    // Vertex 0 has no others.
+    const auto copy =
+      rule.Copies && length > 0 && v > 0 ? FindCopy(vertices.Gates[v], keys.Now, key) : GateSize;
+    if (copy < GateSize)
+    {
+      length = values.GetBits() + 1 + copy;
+    }
+    else
+    {
+      bits.Put(residual, GetLowBits(length));
+    }
+    lengths.push_back(static_cast<std::uint8_t>(length));
+    predictor.Set(v, key);
+  }
+  out.Put<std::uint8_t>(rule.Copies ? 1 : 0);
+  for (unsigned k = 0; k + 1 < GateSize; ++k)
+  {
+    out.Put(rule.Weights[k]);
+  }
+  PutPacked(out, lengths);
+  const auto stored = bits.Finish();
+  out.PutVarint(stored.size());
+  out.PutBytes(stored);
+}
+
+void CheckKey(bool isValid)
+{
+  if (!isValid)
+  {
+    ThrowCorrupt("a value is not in the palette");
+  }
+}
+
+template <typename Values>
+void GetVertices(
+  ByteReader& in, const Values& values, const GateVertices& vertices, const GateKeys& keys)
+{
+  const auto copies = in.Get<std::uint8_t>();
+  if (copies > 1)
+  {
+    ThrowCorrupt("an array's stream has unknown flags");
+  }
+  GateWeights weights{};
+  int last = 256;
+  for (unsigned k = 0; k + 1 < GateSize; ++k)
+  {
+    weights[k] = in.Get<std::int16_t>();
+    last -= weights[k];
+  }
+  weights[GateSize - 1] = static_cast<std::int16_t>(last);
+  if (weights[GateSize - 1] != last)
+  {
+    ThrowCorrupt("an array's stream has impossible weights");
+  }
+  VertexPredictor<Values> predictor(values, vertices, keys, weights);
+  const auto own =
+    static_cast<std::size_t>(std::count_if(vertices.Sources.begin(), vertices.Sources.end(),
+      [](std::uint32_t source) { return (source & TetTree::SharedFlag) == 0; }));
+  const unsigned bits = values.GetBits();
+  NumberReader residuals(in, own, bits, bits + (copies != 0 ? GateSize : 0));
+  bool areValid = true;
+  for (std::size_t v = 0; v < keys.Now.size(); ++v)
+  {
+    if (!IsOwn(vertices, v))
+    {
+      continue;
+    }
+    const auto length = residuals.GetLength();
+    const Key key = length > bits ? keys.Now[GetCorner(vertices.Gates[v], length - bits - 1)]
+                                  : values.Add(predictor.Predict(v), residuals.GetNumber(length));
+    areValid = areValid && values.IsValid(key);
+    predictor.Set(v, areValid ? key : 0);
+  }
+  CheckKey(areValid);
+}
+
+/** Predicts the keys of items in order. */
+template <typename Values>
+class ItemPredictor
+{
+public:
+  ItemPredictor(const Values& values, std::span<const std::uint32_t> parents, const GateKeys& keys)
+    : Coded(values)
+    , Parents(parents)
+    , Keys(keys)
+    , None(values.FromNumber(0))
+  {
+  }
+
+  Key Predict(std::size_t i) const
+  {
+    if (this->Keys.Use == BeforeUse::Repeat)
+    {
+      return this->Keys.Before[i];
+    }
+    const bool hasParent = !this->Parents.empty() && this->Parents[i] != TetTree::NoTet;
+    const std::size_t from = hasParent ? this->Parents[i] : i - 1;
+    if (i == 0)
+    {
+      return this->Keys.Use == BeforeUse::Change ? this->Keys.Before[i] : this->None;
+    }
+    if (this->Keys.Use == BeforeUse::None)
+    {
+      return this->Keys.Now[from];
+    }
+    return this->Coded.FromNumber(this->Coded.ToNumber(this->Keys.Before[i]) +
+      (this->Coded.ToNumber(this->Keys.Now[from]) - this->Coded.ToNumber(this->Keys.Before[from])));
+  }
+
+private:
+  const Values& Coded;
+  const std::span<const std::uint32_t> Parents;
+  const GateKeys& Keys;
+  const Key None;
+};
+}
+
+//------------------------------------------------------------------------------
+void PutVertexValues(
+  ByteWriter& out, const Domain& domain, const GateVertices& vertices, const GateKeys& keys)
+{
+  WithValues(domain, [&](const auto& values) { PutVertices(out, values, vertices, keys); });
+}
+
+//------------------------------------------------------------------------------
+void GetVertexValues(
+  ByteReader& in, const Domain& domain, const GateVertices& vertices, const GateKeys& keys)
+{
+  WithValues(domain, [&](const auto& values) { GetVertices(in, values, vertices, keys); });
+}
+
+//------------------------------------------------------------------------------
+void PutItemValues(ByteWriter& out, const Domain& domain, std::span<const std::uint32_t> parents,
+  const GateKeys& keys)
+{
+  WithValues(domain,
+    [&](const auto& values)
+    {
+      const ItemPredictor predictor(values, parents, keys);
+      NumberWriter residuals;
+      for (std::size_t i = 0; i < keys.Now.size(); ++i)
+      {
+        residuals.Put(values.Subtract(keys.Now[i], predictor.Predict(i)));
+      }
+      residuals.Finish(out);
+    });
+}
+
+//------------------------------------------------------------------------------
+void GetItemValues(ByteReader& in, const Domain& domain, std::span<const std::uint32_t> parents,
+  const GateKeys& keys)
+{
+  WithValues(domain,
+    [&](const auto& values)
+    {
+      const ItemPredictor predictor(values, parents, keys);
+      NumberReader residuals(in, keys.Now.size(), values.GetBits());
+      bool areValid = true;
+      for (std::size_t i = 0; i < keys.Now.size(); ++i)
+      {
+        const Key key = values.Add(predictor.Predict(i), residuals.Get());
+        areValid = areValid && values.IsValid(key);
+        keys.Now[i] = areValid ? key : 0;
+      }
+      CheckKey(areValid);
+    });
+}
+}

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunTetTree_h
+#define gatunTetTree_h
+
+// Tetrahedra in breadth-first order: each is attached to a face of an earlier one, and its fourth
+// corner is named by one symbol. See Documentation/format.md, 8.14.
+
+#include "gatunBytes.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gatun
+{
+/** Four vertices of a chunk of at most 65,535 vertices, 16 bits each, the first one lowest. */
+using PackedTet = std::uint64_t;
+
+constexpr std::uint32_t GetCorner(PackedTet tet, unsigned corner)
+{
+  return static_cast<std::uint32_t>(tet >> (16 * corner)) & 0xffff;
+}
+
+/** The tetrahedra of a chunk. Vertices are numbered in the order of their first use. */
+struct TetTree
+{
+  static constexpr std::uint32_t MaxVertices = 0xffff;
+  static constexpr std::uint32_t NoTet = 0xffffffffu;
+
+  std::vector<PackedTet> Tets;
+  std::vector<std::uint32_t> Parents; ///< the tetrahedron that each is attached to, or NoTet
+
+  /** For each vertex, those from which it is predicted: the face to which the tetrahedron that
+   * brought it is attached, and the corner behind. A vertex of a root has the one before, four
+   * times. Vertex 0 has itself. */
+  std::vector<PackedTet> Gates;
+
+  /** The index of each vertex among the shared or the own ones. */
+  std::vector<std::uint32_t> Sources;
+  static constexpr std::uint32_t SharedFlag = 0x80000000u;
+
+  /** Bit i of byte i / 8 is set if the last two corners of tetrahedron i have to be exchanged; none
+   * if that is so for no tetrahedron. */
+  std::vector<std::uint8_t> Flips;
+};
+
+struct EncodedTree
+{
+  Bytes Stream;
+  TetTree Tree;
+  std::vector<std::uint32_t> TetOrder; ///< of the input's tetrahedra
+  std::vector<std::uint32_t> OwnOrder; ///< of the input's own vertices, from 0
+};
+
+/** Whether a chunk can have this coder. */
+constexpr bool FitsTree(std::size_t vertices)
+{
+  return vertices <= TetTree::MaxVertices;
+}
+
+/** Encodes tetrahedra. Vertices below shared are the shared ones; each is used. */
+EncodedTree EncodeTree(
+  std::span<const std::array<std::uint32_t, 4>> tets, std::uint32_t shared, std::uint32_t vertices);
+
+/** Decodes a stream of EncodeTree. Safe on hostile input: throws Error(Corrupt). */
+TetTree DecodeTree(std::span<const std::uint8_t> stream, std::uint32_t tets, std::uint32_t shared,
+  std::uint32_t vertices);
+}
+
+#endif

@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The loops have no branches that depend on the data. What they must not meet is counted before, or
+// noted by them and looked at once in the end.
+
+#include "gatunNumberStream.h"
+#include "gatunTetTree.h"
+#include "gatunTreeSymbols.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace gatun
+{
+namespace
+{
+using namespace TreeSymbols;
+
+/** How to find the tetrahedron whose fourth corner a symbol names: its number is that of the
+ * tetrahedron itself, or of the parent where the mask is set, and a difference. */
+struct Reference
+{
+  std::uint32_t OfParent;
+  std::int32_t Difference;
+};
+
+constexpr auto References = []
+{
+  std::array<Reference, Count> table{};
+  table[New] = { 0, -1 }; // looked at, but not used
+  table[Far] = { 0, -1 };
+  for (unsigned k = 0; k < Reach; ++k)
+  {
+    const auto distance = static_cast<std::int32_t>(k) + 1;
+    table[Before + k] = { 0, -distance };
+    table[BehindParent + k] = { 0xffffffffu, distance };
+    table[BeforeParent + k] = { 0xffffffffu, -distance };
+  }
+  return table;
+}();
+
+/** The shifts of the faces with children, one in each byte. */
+constexpr auto ShiftsOfMask = []
+{
+  std::array<std::uint32_t, 8> table{};
+  for (unsigned mask = 0; mask < 8; ++mask)
+  {
+    unsigned place = 0;
+    for (unsigned face = 0; face < Faces; ++face)
+    {
+      if (mask >> face & 1)
+      {
+        table[mask] |= FaceShifts[face] << (8 * place++);
+      }
+    }
+  }
+  return table;
+}();
+
+class TreeDecoder
+{
+public:
+  TreeDecoder(
+    ByteReader& in, std::uint32_t tets, std::uint32_t shared, std::uint32_t vertices, TetTree& tree)
+    : Tets(tets)
+    , Shared(shared)
+    , Vertices(vertices)
+    , Tree(tree)
+    , In(in)
+  {
+  }
+
+  void Decode()
+  {
+    this->ReadSymbols();
+    this->Flatten();
+    this->Walk();
+    this->FindGates();
+    this->NameShared();
+  }
+
+private:
+  static constexpr std::uint32_t NewOfRoot = 0x80000000u; // of Bringers
+
+  /** Reads the symbols and counts what they say. */
+  void ReadSymbols()
+  {
+    const auto roots = this->In.GetVarint();
+    if (roots == 0 || roots > this->Tets)
+    {
+      ThrowCorrupt("a chunk has an impossible number of roots");
+    }
+    this->Roots.reserve(static_cast<std::size_t>(roots));
+    this->RootCount = static_cast<std::uint32_t>(roots);
+    this->Masks.resize((std::size_t{ this->Tets } + 1) / 2);
+    GetPacked(this->In, this->Masks);
+    this->Classes.resize(this->Tets - this->RootCount);
+    GetPacked(this->In, this->Classes);
+    std::size_t children = 0;
+    std::uint8_t unused = 0;
+    for (const auto mask : this->Masks)
+    {
+      children += static_cast<std::size_t>(std::popcount(mask));
+      unused |= mask & 0xc0;
+    }
+    unused |= (this->Tets & 1) != 0 ? this->Masks.back() & 0x38 : 0;
+    std::size_t fars = 0;
+    std::size_t news = 0;
+    std::uint8_t largest = 0;
+    for (const auto symbol : this->Classes)
+    {
+      fars += symbol == Far ? 1 : 0;
+      news += symbol == New ? 1 : 0;
+      largest = std::max(largest, symbol);
+    }
+    if (children != this->Classes.size() || unused != 0 || largest >= Count)
+    {
+      ThrowCorrupt("the tree of a chunk is damaged");
+    }
+    NumberReader far(this->In, fars, 16);
+    this->Fars.resize(fars + 1);
+    std::generate_n(
+      this->Fars.begin(), fars, [&far] { return static_cast<std::uint16_t>(far.Get()); });
+    NumberReader corners(this->In, 4 * std::size_t{ this->RootCount }, 17);
+    this->RootCorners.resize(4 * std::size_t{ this->RootCount });
+    for (auto& corner : this->RootCorners)
+    {
+      corner = static_cast<std::uint32_t>(corners.Get());
+      news += corner == 0 ? 1 : 0;
+    }
+    if (news != this->Vertices)
+    {
+      ThrowCorrupt("a chunk has another number of vertices than its tree");
+    }
+  }
+
+  /** Finds the parent and the face of each tetrahedron from the masks. */
+  void Flatten()
+  {
+    constexpr std::size_t padding = 8;
+    this->Tree.Parents.resize(this->Tets + padding);
+    this->Shifts.resize(this->Tets + padding);
+    auto* const parents = this->Tree.Parents.data();
+    auto* const shifts = this->Shifts.data();
+    const auto* const masks = this->Masks.data();
+    std::uint32_t next = 0;
+    for (std::uint32_t head = 0; head < this->Tets; ++head)
+    {
+      if (head == next)
+      {
+        if (this->Roots.size() == this->RootCount)
+        {
+          ThrowCorrupt("the tree of a chunk ends too early");
+        }
+        this->Roots.push_back(head);
+        parents[next++] = TetTree::NoTet;
+      }
+      const unsigned mask = masks[head / 2] >> (head % 2 * 3) & 7;
+      std::memcpy(shifts + next, &ShiftsOfMask[mask], sizeof(std::uint32_t));
+      parents[next] = head;
+      parents[next + 1] = head;
+      parents[next + 2] = head;
+      next += static_cast<std::uint32_t>(std::popcount(mask));
+    }
+    // There are as many children and roots as tetrahedra.
+    this->Tree.Parents.resize(this->Tets);
+    this->Roots.push_back(this->Tets);
+  }
+
+  void MakeRoot(std::uint32_t root)
+  {
+    const auto tet = this->Roots[root];
+    std::array<std::uint32_t, 4> corners{};
+    for (unsigned k = 0; k < 4; ++k)
+    {
+      const auto number = this->RootCorners[4 * root + k];
+      if (number > this->Next)
+      {
+        ThrowCorrupt("a chunk names a vertex that it does not have");
+      }
+      corners[k] = number == 0 ? this->Next : this->Next - number;
+      if (number == 0)
+      {
+        this->Bringers[this->Next++] = tet | NewOfRoot;
+      }
+    }
+    this->Made[Padding + tet] = Pack(corners[0], corners[1], corners[2], corners[3]);
+  }
+
+  void Walk()
+  {
+    this->Made.assign(Padding + this->Tets + Padding, 0);
+    this->Bringers.resize(this->Vertices + 1);
+    const auto* symbol = this->Classes.data();
+    const auto* far = this->Fars.data();
+    auto* const made = this->Made.data() + Padding;
+    const auto* const parents = this->Tree.Parents.data();
+    const auto* const shifts = this->Shifts.data();
+    auto* const bringers = this->Bringers.data();
+    std::uint32_t bad = 0;
+    for (std::uint32_t root = 0; root < this->RootCount; ++root)
+    {
+      this->MakeRoot(root);
+      const auto end = this->Roots[root + 1];
+      auto next = this->Next;
+      for (auto i = this->Roots[root] + 1; i < end; ++i)
+      {
+        const auto parent = parents[i];
+        const auto face = GetFace(made[parent], shifts[i]);
+        const auto kind = *symbol++;
+        const auto& reference = References[kind];
+        const auto other = static_cast<std::int32_t>(i + ((parent - i) & reference.OfParent) +
+          static_cast<std::uint32_t>(reference.Difference));
+        auto apex = static_cast<std::uint32_t>(made[other] >> 48);
+        // With masks, because compilers make branches of conditions, which are unpredictable here.
+        const auto isNew = static_cast<std::uint32_t>(kind == New);
+        const auto isFar = static_cast<std::uint32_t>(kind == Far);
+        const std::uint32_t named = (next - 1 - *far) & 0xffff;
+        apex ^= (apex ^ next) & (0 - isNew);
+        apex ^= (apex ^ named) & (0 - isFar);
+        bringers[next] = i;
+        next += isNew;
+        far += isFar;
+        bad |= static_cast<std::uint32_t>(apex >= next) |
+          static_cast<std::uint32_t>(static_cast<std::uint32_t>(other) >= i);
+        made[i] = face | PackedTet{ apex } << 48;
+      }
+      this->Next = next;
+    }
+    if (bad != 0)
+    {
+      ThrowCorrupt("a chunk names a vertex that it does not have");
+    }
+    this->Tree.Tets.assign(made, made + this->Tets);
+  }
+
+  void FindGates()
+  {
+    auto& gates = this->Tree.Gates;
+    gates.resize(this->Vertices);
+    for (std::uint32_t v = 0; v < this->Vertices; ++v)
+    {
+      const auto bringer = this->Bringers[v];
+      if ((bringer & NewOfRoot) != 0)
+      {
+        const auto before = v > 0 ? v - 1 : 0;
+        gates[v] = Pack(before, before, before, before);
+      }
+      else
+      {
+        const auto parent = this->Tree.Tets[this->Tree.Parents[bringer]];
+        gates[v] =
+          (this->Tree.Tets[bringer] & LowThree) | GetOpposite(parent, this->Shifts[bringer]) << 48;
+      }
+    }
+  }
+
+  /** Reads which vertices are shared ones, and which of them. */
+  void NameShared()
+  {
+    auto& sources = this->Tree.Sources;
+    sources.assign(this->Vertices, 0);
+    NumberReader numbers(this->In, 2 * std::size_t{ this->Shared }, 18);
+    std::vector<char> isMet(this->Shared, 0);
+    std::uint64_t vertex = 0;
+    std::int64_t place = -1;
+    for (std::uint32_t i = 0; i < this->Shared; ++i, ++vertex)
+    {
+      vertex += numbers.Get();
+      place += 1 + ToSigned(numbers.Get());
+      if (vertex >= this->Vertices || place < 0 || place >= this->Shared ||
+        isMet[static_cast<std::size_t>(place)] != 0)
+      {
+        ThrowCorrupt("a chunk names a shared point that it does not have");
+      }
+      isMet[static_cast<std::size_t>(place)] = 1;
+      sources[static_cast<std::size_t>(vertex)] =
+        static_cast<std::uint32_t>(place) | TetTree::SharedFlag;
+    }
+    std::uint32_t own = 0;
+    for (auto& source : sources)
+    {
+      source = source != 0 ? source : own++;
+    }
+  }
+
+  static constexpr std::size_t Padding = 2 * Reach;
+
+  const std::uint32_t Tets;
+  const std::uint32_t Shared;
+  const std::uint32_t Vertices;
+  TetTree& Tree;
+  ByteReader& In;
+
+  Bytes Masks;
+  Bytes Classes;
+  std::vector<std::uint16_t> Fars;
+  std::uint32_t RootCount = 0;
+  std::vector<std::uint32_t> RootCorners; // 0: new; else 1 + the distance from the last vertex
+  std::vector<std::uint32_t> Roots;       // their tetrahedra, and the end
+  std::vector<std::uint8_t> Shifts;
+  std::vector<PackedTet> Made;
+  std::vector<std::uint32_t> Bringers; // the tetrahedron with which each vertex came
+  std::uint32_t Next = 0;              // vertices so far
+};
+}
+
+//------------------------------------------------------------------------------
+TetTree DecodeTree(std::span<const std::uint8_t> stream, std::uint32_t tets, std::uint32_t shared,
+  std::uint32_t vertices)
+{
+  constexpr std::uint32_t hasFlips = 1;
+  if (tets == 0 || !FitsTree(vertices) || shared > vertices)
+  {
+    ThrowCorrupt("a chunk has too many vertices for its coder");
+  }
+  ByteReader in(stream);
+  const auto flags = in.Get<std::uint8_t>();
+  if (flags > hasFlips)
+  {
+    ThrowCorrupt("a tree has unknown flags");
+  }
+  TetTree tree;
+  TreeDecoder(in, tets, shared, vertices, tree).Decode();
+  if (flags == hasFlips)
+  {
+    tree.Flips.resize((std::size_t{ tets } + 7) / 8);
+    GetPacked(in, tree.Flips);
+  }
+  return tree;
+}
+}

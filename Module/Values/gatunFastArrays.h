@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunFastArrays_h
+#define gatunFastArrays_h
+
+// Streams of values in the mode SpatialMode::Fast.
+
+#include "gatunBytes.h"
+#include "gatunDomain.h"
+#include "gatunError.h"
+#include "gatunGateValues.h"
+#include "gatunPointContext.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace gatun
+{
+/** Whether all components have the values before. */
+inline bool HaveBefore(std::span<const ComponentKeys> components)
+{
+  return std::all_of(components.begin(), components.end(),
+    [](const ComponentKeys& keys) { return keys.Before.size() == keys.Now.size(); });
+}
+
+/** Whether values have bounds of errors. */
+inline bool AreRounded(std::span<const Domain> domains)
+{
+  return std::any_of(domains.begin(), domains.end(),
+    [](const Domain& domain) { return static_cast<bool>(domain.GetQuantizer()); });
+}
+
+inline GateKeys GetGateKeys(ComponentKeys& keys, TemporalMode temporal)
+{
+  static_assert(static_cast<int>(BeforeUse::Repeat) == static_cast<int>(TemporalMode::Repeat) &&
+    static_cast<int>(BeforeUse::Change) == static_cast<int>(TemporalMode::Change));
+  return { keys.Now, keys.Before, static_cast<BeforeUse>(temporal) };
+}
+
+/** Encodes in the fast mode. put(out, domain, keys) appends a component. */
+template <typename Put>
+Bytes EncodeFast(std::span<const Domain> domains, std::span<ComponentKeys> components, Put&& put)
+{
+  std::vector<TemporalMode> temporal{ TemporalMode::None };
+  if (HaveBefore(components))
+  {
+    temporal.insert(temporal.end(), { TemporalMode::Change, TemporalMode::Repeat });
+  }
+  Bytes best;
+  for (const auto mode : temporal)
+  {
+    ByteWriter out;
+    out.Put(static_cast<std::uint8_t>(SpatialMode::Fast));
+    out.Put(static_cast<std::uint8_t>(mode));
+    for (std::size_t c = 0; c < components.size(); ++c)
+    {
+      put(out, domains[c], GetGateKeys(components[c], mode));
+    }
+    if (best.empty() || out.Data.size() < best.size())
+    {
+      best = std::move(out.Data);
+    }
+  }
+  return best;
+}
+
+/** Decodes a stream of EncodeFast. get(in, domain, keys) reads a component. */
+template <typename Get>
+void DecodeFast(std::span<const std::uint8_t> stream, TemporalMode temporal,
+  std::span<const Domain> domains, std::span<ComponentKeys> components, Get&& get)
+{
+  if (AreRounded(domains))
+  {
+    ThrowCorrupt("an array's stream has a mode that has no bounds of errors");
+  }
+  ByteReader in(stream.subspan(2));
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    get(in, domains[c], GetGateKeys(components[c], temporal));
+  }
+}
+}
+
+#endif
