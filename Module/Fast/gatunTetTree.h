@@ -31,7 +31,9 @@ struct TetTree
   static constexpr std::uint32_t MaxVertices = 0xffff;
   static constexpr std::uint32_t NoTet = 0xffffffffu;
 
-  std::vector<PackedTet> Tets;
+  static constexpr std::size_t Padding = 16; ///< tetrahedra of 0 before and behind them
+
+  std::vector<PackedTet> Made;        ///< with padding
   std::vector<std::uint32_t> Parents; ///< the tetrahedron that each is attached to, or NoTet
 
   /** For each vertex, those from which it is predicted: the face to which the tetrahedron that
@@ -46,6 +48,11 @@ struct TetTree
   /** Bit i of byte i / 8 is set if the last two corners of tetrahedron i have to be exchanged; none
    * if that is so for no tetrahedron. */
   std::vector<std::uint8_t> Flips;
+
+  std::span<const PackedTet> GetTets() const
+  {
+    return std::span(this->Made).subspan(Padding, this->Made.size() - 2 * Padding);
+  }
 };
 
 struct EncodedTree

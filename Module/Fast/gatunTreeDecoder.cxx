@@ -40,6 +40,36 @@ constexpr auto References = []
   return table;
 }();
 
+/** The numbers of bits of bytes, as long as processors may lack an instruction for that. */
+constexpr auto BitCounts = []
+{
+  std::array<std::uint8_t, 64> table{};
+  for (unsigned mask = 0; mask < table.size(); ++mask)
+  {
+    table[mask] = static_cast<std::uint8_t>(std::popcount(mask));
+  }
+  return table;
+}();
+
+/** How often a byte occurs. In runs whose counts fit a byte, so that the loop has lanes of bytes. */
+std::size_t CountOf(std::span<const std::uint8_t> bytes, std::uint8_t value)
+{
+  constexpr std::size_t run = 192;
+  std::size_t count = 0;
+  while (!bytes.empty())
+  {
+    const auto part = bytes.first(std::min(run, bytes.size()));
+    std::uint8_t found = 0;
+    for (const auto byte : part)
+    {
+      found = static_cast<std::uint8_t>(found + (byte == value ? 1 : 0));
+    }
+    count += found;
+    bytes = bytes.subspan(part.size());
+  }
+  return count;
+}
+
 /** The shifts of the faces with children, one in each byte. */
 constexpr auto ShiftsOfMask = []
 {
@@ -101,17 +131,15 @@ private:
     std::uint8_t unused = 0;
     for (const auto mask : this->Masks)
     {
-      children += static_cast<std::size_t>(std::popcount(mask));
+      children += BitCounts[mask & 0x3f];
       unused |= mask & 0xc0;
     }
     unused |= (this->Tets & 1) != 0 ? this->Masks.back() & 0x38 : 0;
-    std::size_t fars = 0;
-    std::size_t news = 0;
+    const std::size_t fars = CountOf(this->Classes, Far);
+    std::size_t news = CountOf(this->Classes, New);
     std::uint8_t largest = 0;
     for (const auto symbol : this->Classes)
     {
-      fars += symbol == Far ? 1 : 0;
-      news += symbol == New ? 1 : 0;
       largest = std::max(largest, symbol);
     }
     if (children != this->Classes.size() || unused != 0 || largest >= Count)
@@ -161,7 +189,7 @@ private:
       parents[next] = head;
       parents[next + 1] = head;
       parents[next + 2] = head;
-      next += static_cast<std::uint32_t>(std::popcount(mask));
+      next += BitCounts[mask];
     }
     // There are as many children and roots as tetrahedra.
     this->Tree.Parents.resize(this->Tets);
@@ -185,16 +213,16 @@ private:
         this->Bringers[this->Next++] = tet | NewOfRoot;
       }
     }
-    this->Made[Padding + tet] = Pack(corners[0], corners[1], corners[2], corners[3]);
+    this->Tree.Made[TetTree::Padding + tet] = Pack(corners[0], corners[1], corners[2], corners[3]);
   }
 
   void Walk()
   {
-    this->Made.assign(Padding + this->Tets + Padding, 0);
+    this->Tree.Made.assign(TetTree::Padding + this->Tets + TetTree::Padding, 0);
     this->Bringers.resize(this->Vertices + 1);
     const auto* symbol = this->Classes.data();
     const auto* far = this->Fars.data();
-    auto* const made = this->Made.data() + Padding;
+    auto* const made = this->Tree.Made.data() + TetTree::Padding;
     const auto* const parents = this->Tree.Parents.data();
     const auto* const shifts = this->Shifts.data();
     auto* const bringers = this->Bringers.data();
@@ -232,12 +260,12 @@ private:
     {
       ThrowCorrupt("a chunk names a vertex that it does not have");
     }
-    this->Tree.Tets.assign(made, made + this->Tets);
   }
 
   void FindGates()
   {
     auto& gates = this->Tree.Gates;
+    const auto tets = this->Tree.GetTets();
     gates.resize(this->Vertices);
     for (std::uint32_t v = 0; v < this->Vertices; ++v)
     {
@@ -249,9 +277,9 @@ private:
       }
       else
       {
-        const auto parent = this->Tree.Tets[this->Tree.Parents[bringer]];
+        const auto parent = tets[this->Tree.Parents[bringer]];
         gates[v] =
-          (this->Tree.Tets[bringer] & LowThree) | GetOpposite(parent, this->Shifts[bringer]) << 48;
+          (tets[bringer] & LowThree) | GetOpposite(parent, this->Shifts[bringer]) << 48;
       }
     }
   }
@@ -285,8 +313,6 @@ private:
     }
   }
 
-  static constexpr std::size_t Padding = 2 * Reach;
-
   const std::uint32_t Tets;
   const std::uint32_t Shared;
   const std::uint32_t Vertices;
@@ -300,7 +326,6 @@ private:
   std::vector<std::uint32_t> RootCorners; // 0: new; else 1 + the distance from the last vertex
   std::vector<std::uint32_t> Roots;       // their tetrahedra, and the end
   std::vector<std::uint8_t> Shifts;
-  std::vector<PackedTet> Made;
   std::vector<std::uint32_t> Bringers; // the tetrahedron with which each vertex came
   std::uint32_t Next = 0;              // vertices so far
 };

@@ -48,7 +48,7 @@ public:
     this->Masks.reserve(tets.size());
     this->Classes.reserve(tets.size());
     this->Result.TetOrder.reserve(tets.size());
-    this->Result.Tree.Tets.reserve(tets.size());
+    this->Tets.reserve(tets.size());
     this->Result.Tree.Parents.reserve(tets.size());
     this->Result.Tree.Gates.reserve(vertices);
     this->InputOf.reserve(vertices);
@@ -97,7 +97,7 @@ private:
   {
     this->Visits.Visit(tet);
     this->Result.TetOrder.push_back(tet);
-    this->Result.Tree.Tets.push_back(corners);
+    this->Tets.push_back(corners);
     this->Result.Tree.Parents.push_back(parent);
   }
 
@@ -127,7 +127,7 @@ private:
   /** Attaches the tetrahedron over a face, if there is one. */
   bool Attach(std::uint32_t head, unsigned face)
   {
-    const auto parent = this->Result.Tree.Tets[head];
+    const auto parent = this->Tets[head];
     const auto& row = this->Faces.Rows[this->Result.TetOrder[head]];
     const auto opposite = this->InputOf[GetCorner(parent, face)];
     const auto corner = std::find(row.Corners.begin(), row.Corners.end(), opposite);
@@ -161,7 +161,7 @@ private:
   /** The first symbol that names a vertex as the fourth corner of a near tetrahedron. */
   std::uint8_t FindSymbol(std::uint32_t parent, std::uint32_t apex) const
   {
-    const auto& tets = this->Result.Tree.Tets;
+    const auto& tets = this->Tets;
     const auto here = tets.size();
     for (unsigned k = 1; k <= Reach && k <= here; ++k)
     {
@@ -210,17 +210,17 @@ private:
   void FindFlips()
   {
     auto& tree = this->Result.Tree;
-    for (std::size_t t = 0; t < tree.Tets.size(); ++t)
+    for (std::size_t t = 0; t < this->Tets.size(); ++t)
     {
       InputTet corners{};
       for (unsigned k = 0; k < 4; ++k)
       {
-        corners[k] = this->InputOf[GetCorner(tree.Tets[t], k)];
+        corners[k] = this->InputOf[GetCorner(this->Tets[t], k)];
       }
       const auto& input = this->Faces.Rows[this->Result.TetOrder[t]].Corners;
       if (tree.Parents[t] != TetTree::NoTet && IsMirrored(corners, input))
       {
-        tree.Flips.resize((tree.Tets.size() + 7) / 8);
+        tree.Flips.resize((this->Tets.size() + 7) / 8);
         tree.Flips[t / 8] |= static_cast<std::uint8_t>(1u << t % 8);
       }
     }
@@ -247,6 +247,9 @@ private:
       PutPacked(out, tree.Flips);
     }
     this->Result.Stream = std::move(out.Data);
+    tree.Made.resize(TetTree::Padding, 0);
+    tree.Made.insert(tree.Made.end(), this->Tets.begin(), this->Tets.end());
+    tree.Made.resize(tree.Made.size() + TetTree::Padding, 0);
   }
 
   const std::uint32_t Shared;
@@ -254,6 +257,7 @@ private:
   FaceVisits Visits;
   std::vector<std::uint32_t> Numbers; // of the input's vertices
   std::vector<std::uint32_t> InputOf; // of the numbers
+  std::vector<PackedTet> Tets;
   Bytes Masks;                        // the faces with children of each tetrahedron
   Bytes Classes;
   NumberWriter Fars;

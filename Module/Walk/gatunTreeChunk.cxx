@@ -17,17 +17,18 @@ namespace
 /** The mesh of a tree without coordinates. */
 void SetWalk(TetTree&& tree, Topology& walk)
 {
-  walk.Tets.resize(tree.Tets.size());
-  for (std::size_t t = 0; t < walk.Tets.size(); ++t)
+  const auto tets = tree.GetTets();
+  walk.Tets.reserve(tets.size());
+  for (const auto tet : tets)
   {
-    auto& corners = walk.Tets[t];
-    for (unsigned k = 0; k < 4; ++k)
+    walk.Tets.push_back(
+      { GetCorner(tet, 0), GetCorner(tet, 1), GetCorner(tet, 2), GetCorner(tet, 3) });
+  }
+  for (std::size_t t = 0; !tree.Flips.empty() && t < tets.size(); ++t)
+  {
+    if ((tree.Flips[t / 8] >> t % 8 & 1) != 0)
     {
-      corners[k] = GetCorner(tree.Tets[t], k);
-    }
-    if (!tree.Flips.empty() && (tree.Flips[t / 8] >> t % 8 & 1) != 0)
-    {
-      std::swap(corners[2], corners[3]);
+      std::swap(walk.Tets[t][2], walk.Tets[t][3]);
     }
   }
   walk.Parents = std::move(tree.Parents);
