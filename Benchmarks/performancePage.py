@@ -120,11 +120,7 @@ def readme_rows(results):
     lzma, zlib = "`.vtu`, best LZMA", "`.vtu`, zlib"
     yield "File size, Delaunay mesh", "bits per tetrahedron", [bits(delaunay, "gtn")], [
         bits(delaunay, "vtu-lzma-best")], lzma, False
-    yield "The same, packed with `--profile fast`", "bits per tetrahedron", [bits(delaunay, "gtn-fast")], [
-        bits(delaunay, "vtu-lzma-best")], lzma, False
-    for what, form in (("first file", "gtn"), ("second one", "gtn-fast")):
-        yield f"Loading the {what}", "million tetrahedra per second", *loading(
-            results, "delaunay", 0, form), zlib, True
+    yield "Loading it", "million tetrahedra per second", *loading(results, "delaunay", 0), zlib, True
     grid = find(images(results)["first"], "grid")
     caster = "VTK's ray caster"
     if grid:
@@ -190,16 +186,15 @@ def _files(results):
     for entry in results["files"]:
         load = entry["load0"]
         rows.append([entry["name"], f"{entry['pack']['tets']:,}",
-                     *(number(bits(entry, form)) for form in ("gtn", "gtn-fast", "vtu-lzma-best")),
+                     *(number(bits(entry, form)) for form in ("gtn", "vtu-lzma-best")),
                      advantage([bits(entry, "gtn")], [bits(entry, "vtu-lzma-best")]),
-                     *(number(statistics.median(rates(load, form)))
-                       for form in ("gtn", "gtn-fast", "vtu-zlib")),
+                     *(number(statistics.median(rates(load, form))) for form in ("gtn", "vtu-zlib")),
                      advantage(rates(load, "gtn"), rates(load, "vtu-zlib"), True).split(" ")[0]])
     text = "## Files\n\n" + paragraph("""Bits per cell of whole files, and million cells per second from a file to
-        `vtkUnstructuredGrid`. Points and cells of tetrahedral meshes are in random order, but for the grid.
-        *fast*: packed with `--profile fast`.""") + "\n" + table(
-            ["mesh", "cells", "`.gtn`", "fast", "LZMA `.vtu`", "advantage", "loading `.gtn`", "fast",
-             "zlib `.vtu`", "advantage"], rows)
+        `vtkUnstructuredGrid`. Points and cells of tetrahedral meshes are in random order, but for the grid. Files
+        are packed with the small profile.""") + "\n" + table(
+            ["mesh", "cells", "`.gtn`", "LZMA `.vtu`", "advantage", "loading `.gtn`", "zlib `.vtu`",
+             "advantage"], rows)
     rows = [row("loading delaunay, one thread", "million/s", *loading(results, "delaunay", 1), True)]
     for name in ("delaunay", "grid"):
         entry = find(results["files"], name)

@@ -519,8 +519,17 @@ void CheckChunk(const ChunkFrame& frame, const ChunkMesh& mesh)
   const auto& walk = mesh.Walk;
   const auto vertices = frame.OwnPoints + frame.SharedKeys.size();
   Require(walk.Tets.size() == frame.Tets && walk.Parents.size() == frame.Tets &&
-    walk.Sources.size() == vertices && mesh.Keys.size() == vertices &&
-    walk.Records.size() == frame.OwnPoints && mesh.UsedRules.size() == frame.OwnPoints);
+    walk.Sources.size() == vertices && mesh.Keys.size() == vertices);
+  Require(walk.HasTree()
+      ? walk.Gates.size() == vertices
+      : walk.Records.size() == frame.OwnPoints && mesh.UsedRules.size() == frame.OwnPoints);
+  for (std::uint32_t v = 1; v < walk.Gates.size(); ++v)
+  {
+    for (unsigned k = 0; k < 4; ++k)
+    {
+      Require(GetCorner(walk.Gates[v], k) < v);
+    }
+  }
   for (std::size_t t = 0; t < walk.Tets.size(); ++t)
   {
     for (const auto v : walk.Tets[t])
@@ -532,7 +541,12 @@ void CheckChunk(const ChunkFrame& frame, const ChunkMesh& mesh)
   CheckVertices(frame, mesh);
 }
 
-SmallChunk::SmallChunk()
+ContextFits GetFits(const ChunkMesh& mesh)
+{
+  return mesh.Walk.HasTree() ? ContextFits::None : ContextFits::All;
+}
+
+SmallChunk::SmallChunk(Profile profile)
 {
   // A fan of tetrahedra around an edge, with another one that has a part of its own.
   std::vector<Tet> tets;
@@ -559,8 +573,8 @@ SmallChunk::SmallChunk()
   frame.SharedKeys.assign(keys.begin(), keys.begin() + shared);
   frame.SharedUsers.assign(shared, 1);
   const std::vector<PointKeys> own(keys.begin() + shared, keys.end());
-  this->Mesh = EncodeChunk(frame, tets, own).Mesh;
-  this->Context.emplace(this->Mesh, ContextFits::All);
+  this->Mesh = EncodeChunk(frame, tets, own, profile).Mesh;
+  this->Context.emplace(this->Mesh, GetFits(this->Mesh));
   for (Vertex v = 0; v < vertices; ++v)
   {
     if (this->Mesh.Walk.IsShared(v))

@@ -70,11 +70,14 @@ void CheckCells(const ChunkFrame& frame, const ChunkMesh& mesh);
 /** Splits the cells of a mesh with a context. */
 void CheckTets(const ChunkMesh& mesh);
 
+/** The weights of neighbors that the mesh of a chunk can have. */
+ContextFits GetFits(const ChunkMesh& mesh);
+
 /** A chunk of some tetrahedra, decoded and ready to have arrays decoded on it. */
 class SmallChunk
 {
 public:
-  SmallChunk();
+  explicit SmallChunk(Profile profile);
 
   const PointContext& GetContext() const { return this->Context->GetPoints(); }
 

@@ -9,14 +9,18 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   using namespace gatun;
-  static const fuzz::SmallChunk chunk;
-  fuzz::Input in(data, size);
-  auto array = fuzz::TakePointArray(in, chunk);
-  const auto stream = fuzz::Copy(in.TakeRest());
-  if (fuzz::Accepts(
-        [&] { DecodePointValues(stream, chunk.GetContext(), array.Domains, array.Keys); }))
+  static const fuzz::SmallChunk small(Profile::Small);
+  static const fuzz::SmallChunk fast(Profile::Fast);
+  for (const auto* chunk : { &small, &fast })
   {
-    fuzz::CheckKeys(array);
+    fuzz::Input in(data, size);
+    auto array = fuzz::TakePointArray(in, *chunk);
+    const auto stream = fuzz::Copy(in.TakeRest());
+    if (fuzz::Accepts(
+          [&] { DecodePointValues(stream, chunk->GetContext(), array.Domains, array.Keys); }))
+    {
+      fuzz::CheckKeys(array);
+    }
   }
   return 0;
 }

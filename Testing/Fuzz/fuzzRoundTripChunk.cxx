@@ -82,7 +82,7 @@ void TryValues(fuzz::Input& in, const EncodedChunk& encoded, const ChunkMesh& de
     const auto right = keys;
     Round(keys, domains, &decoded.Walk);
     const auto stream =
-      EncodePointValues(ArrayContext(encoded.Mesh, ContextFits::All).GetPoints(), domains, keys);
+      EncodePointValues(ArrayContext(encoded.Mesh, fuzz::GetFits(decoded)).GetPoints(), domains, keys);
     const auto rounded = keys;
     for (std::size_t c = 0; c < keys.size(); ++c)
     {
@@ -92,14 +92,15 @@ void TryValues(fuzz::Input& in, const EncodedChunk& encoded, const ChunkMesh& de
       }
     }
     DecodePointValues(
-      fuzz::Copy(stream), ArrayContext(decoded, ContextFits::All).GetPoints(), domains, keys);
+      fuzz::Copy(stream), ArrayContext(decoded, fuzz::GetFits(decoded)).GetPoints(), domains, keys);
     Compare(keys, rounded, right, domains);
   }
   std::vector<Domain> domains;
   auto keys = TakeValues(in, decoded.Walk.Tets.size(), hasBefore, domains);
   const auto right = keys;
   Round(keys, domains, nullptr);
-  const CellContext context{ decoded.Walk.Parents, &fuzz::GetTupleFit() };
+  const CellContext context{ decoded.Walk.Parents, &fuzz::GetTupleFit(),
+    decoded.Walk.HasTree() ? Profile::Fast : Profile::Small };
   const auto stream = EncodeCellValues(context, domains, keys);
   const auto rounded = keys;
   for (auto& component : keys)
@@ -108,6 +109,34 @@ void TryValues(fuzz::Input& in, const EncodedChunk& encoded, const ChunkMesh& de
   }
   DecodeCellValues(fuzz::Copy(stream), context, domains, keys);
   Compare(keys, rounded, right, domains);
+}
+
+/** Encodes and decodes a chunk and values on it. */
+void TryChunk(fuzz::Input in, const ChunkFrame& frame, const std::vector<fuzz::Tet>& tets,
+  const std::vector<PointKeys>& own, Profile profile)
+{
+  const auto shared = frame.SharedKeys.size();
+  const auto encoded = EncodeChunk(frame, tets, own, profile);
+  const auto decoded =
+    DecodeChunk(frame, fuzz::Copy(encoded.Connectivity), fuzz::Copy(encoded.Geometry));
+  fuzz::CheckChunk(frame, decoded);
+  Require(decoded.Keys == encoded.Mesh.Keys && decoded.Walk.Tets == encoded.Mesh.Walk.Tets);
+  for (std::size_t t = 0; t < tets.size(); ++t)
+  {
+    // Each corner's point, found through the decoder's numbers, is the input's.
+    const auto corners = RotateCorners(decoded.Walk.Tets[t], encoded.Corners[t]);
+    for (unsigned i = 0; i < 4; ++i)
+    {
+      const auto source = decoded.Walk.Sources[corners[i]];
+      const auto point = decoded.Walk.IsShared(corners[i])
+        ? source & ~Topology::SharedFlag
+        : static_cast<std::uint32_t>(shared) + encoded.OwnOrder[source];
+      Require(point == tets[encoded.TetOrder[t]][i]);
+      const auto& right = point < shared ? frame.SharedKeys[point] : own[point - shared];
+      Require(decoded.Keys[corners[i]] == right);
+    }
+  }
+  TryValues(in, encoded, decoded);
 }
 }
 
@@ -135,26 +164,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
     }
   }
 
-  const auto encoded = EncodeChunk(frame, tets, own);
-  const auto decoded =
-    DecodeChunk(frame, fuzz::Copy(encoded.Connectivity), fuzz::Copy(encoded.Geometry));
-  fuzz::CheckChunk(frame, decoded);
-  Require(decoded.Keys == encoded.Mesh.Keys && decoded.Walk.Tets == encoded.Mesh.Walk.Tets);
-  for (std::size_t t = 0; t < tets.size(); ++t)
+  for (const auto profile : { Profile::Small, Profile::Fast })
   {
-    // Each corner's point, found through the decoder's numbers, is the input's.
-    const auto corners = RotateCorners(decoded.Walk.Tets[t], encoded.Corners[t]);
-    for (unsigned i = 0; i < 4; ++i)
-    {
-      const auto source = decoded.Walk.Sources[corners[i]];
-      const auto point = decoded.Walk.IsShared(corners[i])
-        ? source & ~Topology::SharedFlag
-        : static_cast<std::uint32_t>(shared) + encoded.OwnOrder[source];
-      Require(point == tets[encoded.TetOrder[t]][i]);
-      const auto& right = point < shared ? frame.SharedKeys[point] : own[point - shared];
-      Require(decoded.Keys[corners[i]] == right);
-    }
+    TryChunk(in, frame, tets, own, profile);
   }
-  TryValues(in, encoded, decoded);
   return 0;
 }

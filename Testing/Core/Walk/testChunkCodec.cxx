@@ -284,9 +284,11 @@ TEST(ChunkCodec, SurvivesDamage)
   for (const auto& chunk : { MakeCase(MakeCubes(5, 0)), MakeCase(MakeCubes(5, 0.3), palettes),
          MakeCase(MakeSoup(40, 200)) })
   {
-    const auto encoded = EncodeChunk(chunk.Frame, chunk.Elements, chunk.OwnKeys);
-    for (const bool inGeometry : { false, true })
+    for (const int variant : { 0, 1, 2, 3 })
     {
+      const bool inGeometry = variant % 2 != 0;
+      const auto profile = variant < 2 ? Profile::Small : Profile::Fast;
+      const auto encoded = EncodeChunk(chunk.Frame, chunk.Elements, chunk.OwnKeys, profile);
       const auto& whole = inGeometry ? encoded.Geometry : encoded.Connectivity;
       const auto expectNoHarm = [&](const Bytes& damaged)
       {
@@ -319,6 +321,12 @@ TEST(ChunkCodec, SurvivesNoise)
     connectivity[1] = static_cast<std::uint8_t>(8 + random() % 100);
     geometry[0] = 1;
     geometry[15] = 120;
+    ExpectNoHarm(chunk.Frame, connectivity, geometry);
+    // A tree whose symbols are not packed.
+    connectivity[0] = 8;
+    connectivity[1] &= 1;
+    connectivity[2] = 1;
+    connectivity[3] = static_cast<std::uint8_t>(chunk.Frame.Tets / 2 + chunk.Frame.Tets % 2);
     ExpectNoHarm(chunk.Frame, connectivity, geometry);
   }
 }
