@@ -288,7 +288,7 @@ run_package() {
   mkdir -p "$folder" "$source"
   tar -C "$root" --exclude=./build --exclude=./.git -c . | tar -C "$source" -x
   # The packages of a later Debian replace those of an earlier one.
-  sed -i "1s/)/~deb$(. /etc/os-release && echo "$VERSION_ID"))/" "$source/debian/changelog"
+  sed -i "1s/)/~deb$(. /etc/os-release && echo "${VERSION_ID:-$VERSION_CODENAME}"))/" "$source/debian/changelog"
   say "Building in $source"
   # Debug information would be stripped, as packages of it are not made.
   (cd "$source" && DEB_BUILD_OPTIONS="parallel=$jobs noautodbgsym" DEB_CXXFLAGS_STRIP=-g \

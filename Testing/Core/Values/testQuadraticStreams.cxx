@@ -299,9 +299,11 @@ TEST(QuadraticStreams, ModesThatAreNotAllowedAreRejected)
     EXPECT_THROW(ArrayModes::Read(stream), Error);
     EXPECT_THROW(DecodePointValues(stream, mesh.Context.GetPoints(), { &domain, 1 }, keys), Error);
   }
-  stream[0] = 5;
+  stream[0] = 6;
   stream[1] = 0;
   EXPECT_THROW(ArrayModes::Read(stream), Error);
+  // Points of a mesh that was walked have no gates of a tree.
+  stream[0] = static_cast<std::uint8_t>(SpatialMode::Fast);
   EXPECT_THROW(DecodePointValues(stream, mesh.Context.GetPoints(), { &domain, 1 }, keys), Error);
 }
 
