@@ -13,7 +13,7 @@ mesher.Update()
 made = gatun.to_numpy(mesher.GetOutput())
 values = {"height": made.points[:, 2] / 3}
 mesh = gatun.from_numpy(made.points, made.cells_dict, point_data=values)
-gatun.write(mesh, "mesh.gtn", keep_order="all")
+gatun.write(mesh, "mesh.gtn", keep_order="all", overwrite=True)
 
 back = gatun.to_numpy(gatun.read("mesh.gtn"))
 assert np.array_equal(back.points, made.points)
