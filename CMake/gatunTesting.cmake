@@ -169,13 +169,13 @@ endfunction ()
 # Tests in VTK's manner, each a file Test<What>.cxx with a function int Test<What>(int, char*[]):
 #
 #   gatun_add_vtk_tests(<program> SOURCES <file>... LINK <VTK module>...
-#     [RENDERING] [EXPECT_ERRORS] [LABELS <label>...])
+#     [RENDERING] [EXPECT_ERRORS] [LABELS <label>...] [ENVIRONMENT <variable>=<value>...])
 #
 # They get -D Testing/Data and -T <folder to write into>. With RENDERING, VTK's rendering
 # factories are loaded, the label is image instead of unit, and -V names the baseline
 # Testing/Data/Baseline/Test<What>.png for vtkRegressionTestImage (alternates: _1, _2, ...).
 function (gatun_add_vtk_tests program)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "RENDERING;EXPECT_ERRORS" "" "SOURCES;LINK;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "RENDERING;EXPECT_ERRORS" "" "SOURCES;LINK;LABELS;ENVIRONMENT")
   _gatun_test_prefix()
   set(driver_header vtkTestDriver.h)
   set(driver_link VTK::TestingCore)
@@ -220,6 +220,7 @@ function (gatun_add_vtk_tests program)
       NAME    "${prefix}${test}"
       COMMAND "${program}" "${test}" -D "${GATUN_TEST_DATA}" -T "${GATUN_TEST_TEMP}" ${baseline}
       LABELS  ${arg_LABELS}
+      ENVIRONMENT ${arg_ENVIRONMENT}
       ${expect_errors})
   endforeach ()
 endfunction ()

@@ -94,12 +94,20 @@ void WithValues(const Domain& domain, Code&& code)
   }
 }
 
-template <typename Number>
-Number Predict(const std::array<Number, GateSize>& weights, PackedTet gate, const Number* numbers)
+/** Whether a vertex is an own one, by its source. */
+constexpr bool IsOwn(std::uint32_t source)
 {
-  return ((weights[0] * numbers[GetCorner(gate, 0)] + weights[1] * numbers[GetCorner(gate, 1)]) +
-           weights[2] * numbers[GetCorner(gate, 2)]) +
-    weights[3] * numbers[GetCorner(gate, 3)];
+  return (source & TetTree::SharedFlag) == 0;
+}
+
+/** number(v): that of a vertex. */
+template <typename Number, typename GetNumber>
+Number PredictBy(
+  const std::array<Number, GateSize>& weights, PackedTet gate, const GetNumber& number)
+{
+  return ((weights[0] * number(GetCorner(gate, 0)) + weights[1] * number(GetCorner(gate, 1))) +
+           weights[2] * number(GetCorner(gate, 2))) +
+    weights[3] * number(GetCorner(gate, 3));
 }
 
 template <typename Number>
@@ -128,9 +136,7 @@ public:
   {
     for (std::size_t v = 0; v < this->Numbers.size(); ++v)
     {
-      this->Numbers[v] = (vertices.Sources[v] & TetTree::SharedFlag) != 0
-        ? values.ToNumber(keys.Now[v])
-        : Number{ 0 };
+      this->Numbers[v] = IsOwn(vertices.Sources[v]) ? Number{ 0 } : values.ToNumber(keys.Now[v]);
     }
     if (keys.Use == BeforeUse::Change)
     {
@@ -146,14 +152,13 @@ public:
     {
       return this->Keys.Before[v];
     }
-    const auto gate = this->Vertices.Gates[v];
-    const auto number = gatun::Predict(this->Weights, gate, this->Numbers.data());
-    return this->Coded.FromNumber(this->Keys.Use == BeforeUse::None ? number
-                                                                    : this->NumbersBefore[v] +
-          (number - gatun::Predict(this->Weights, gate, this->NumbersBefore.data())));
+    const auto number = this->PredictFrom(v, this->Numbers);
+    return this->Coded.FromNumber(this->Keys.Use == BeforeUse::None
+        ? number
+        : this->NumbersBefore[v] + (number - this->PredictFrom(v, this->NumbersBefore)));
   }
 
-  /** Tells the key of a vertex. */
+  /** Notes the key of a vertex. */
   void Set(std::size_t v, Key key)
   {
     this->Keys.Now[v] = key;
@@ -161,6 +166,12 @@ public:
   }
 
 private:
+  Number PredictFrom(std::size_t v, const std::vector<Number>& numbers) const
+  {
+    return PredictBy(this->Weights, this->Vertices.Gates[v],
+      [from = numbers.data()](std::uint32_t u) { return from[u]; });
+  }
+
   const Values& Coded;
   const GateVertices& Vertices;
   const GateKeys& Keys;
@@ -182,59 +193,46 @@ unsigned FindCopy(PackedTet gate, std::span<const Key> keys, Key key)
   return GateSize;
 }
 
-bool IsOwn(const GateVertices& vertices, std::size_t v)
+/** The bits that a sample of the vertices would take. The keys of all are known. */
+template <typename Values>
+double EstimateBits(const Values& values, const GateVertices& vertices, const GateKeys& keys,
+  const GateWeights& weights, bool copies)
 {
-  return (vertices.Sources[v] & TetTree::SharedFlag) == 0;
-}
-
-/** The bits that some vertices would take. */
-class CostOfWeights
-{
-public:
-  template <typename Values>
-  static double Find(const Values& values, const GateVertices& vertices, const GateKeys& keys,
-    const GateWeights& weights, bool copies)
+  using Number = typename Values::Number;
+  constexpr std::size_t samples = 1024;
+  const auto scaled = ScaleWeights<Number>(weights);
+  const auto step = std::max<std::size_t>(1, keys.Now.size() / samples);
+  std::array<std::uint32_t, 64 + GateSize + 1> counts{};
+  double bits = 0;
+  double all = 0;
+  for (std::size_t v = 1; v < keys.Now.size(); v += step)
   {
-    // Known numbers only: this is a sample of vertices, whose keys are all known to the encoder.
-    using Number = typename Values::Number;
-    constexpr std::size_t samples = 1024;
-    const auto scaled = ScaleWeights<Number>(weights);
-    const auto step = std::max<std::size_t>(1, keys.Now.size() / samples);
-    std::array<std::uint32_t, 69> counts{};
-    double bits = 0;
-    double all = 0;
-    for (std::size_t v = 1; v < keys.Now.size(); v += step)
+    const auto gate = vertices.Gates[v];
+    const auto predict = [&](std::span<const Key> from)
     {
-      const auto gate = vertices.Gates[v];
-      const auto predict = [&](std::span<const Key> from)
-      {
-        Number sum = 0;
-        for (unsigned k = 0; k < GateSize; ++k)
-        {
-          sum += scaled[k] * values.ToNumber(from[GetCorner(gate, k)]);
-        }
-        return sum;
-      };
-      const Number number = keys.Use == BeforeUse::Change
-        ? values.ToNumber(keys.Before[v]) + (predict(keys.Now) - predict(keys.Before))
-        : predict(keys.Now);
-      auto length = static_cast<unsigned>(
-        std::bit_width(values.Subtract(keys.Now[v], values.FromNumber(number))));
-      if (copies && length > 0 && FindCopy(gate, keys.Now, keys.Now[v]) < GateSize)
-      {
-        length = values.GetBits() + 1 + FindCopy(gate, keys.Now, keys.Now[v]);
-      }
-      ++counts[length];
-      bits += length <= values.GetBits() ? GetLowBits(length) : 0;
-      ++all;
-    }
-    for (const auto count : counts)
+      return PredictBy(
+        scaled, gate, [&](std::uint32_t u) -> Number { return values.ToNumber(from[u]); });
+    };
+    const Number number = keys.Use == BeforeUse::Change
+      ? values.ToNumber(keys.Before[v]) + (predict(keys.Now) - predict(keys.Before))
+      : predict(keys.Now);
+    auto length = static_cast<unsigned>(
+      std::bit_width(values.Subtract(keys.Now[v], values.FromNumber(number))));
+    const auto copy = copies && length > 0 ? FindCopy(gate, keys.Now, keys.Now[v]) : GateSize;
+    if (copy < GateSize)
     {
-      bits += count > 0 ? count * std::log2(all / count) : 0;
+      length = values.GetBits() + 1 + copy;
     }
-    return bits;
+    ++counts[length];
+    bits += length <= values.GetBits() ? GetLowBits(length) : 0;
+    ++all;
   }
-};
+  for (const auto count : counts)
+  {
+    bits += count > 0 ? count * std::log2(all / count) : 0;
+  }
+  return bits;
+}
 
 struct VertexRule
 {
@@ -257,7 +255,7 @@ VertexRule ChooseRule(const Values& values, const GateVertices& vertices, const 
     {
       // Copies are slower to decode.
       const double worth = copies ? 0.98 : 1;
-      const double bits = CostOfWeights::Find(values, vertices, keys, weights, copies);
+      const double bits = EstimateBits(values, vertices, keys, weights, copies);
       if (bits < worth * least)
       {
         least = bits;
@@ -274,29 +272,26 @@ void PutVertices(
 {
   const auto rule = ChooseRule(values, vertices, keys);
   VertexPredictor<Values> predictor(values, vertices, keys, rule.Weights);
-  Bytes lengths;
-  BitWriter bits;
+  NumberWriter residuals;
   for (std::size_t v = 0; v < keys.Now.size(); ++v)
   {
-    if (!IsOwn(vertices, v))
+    if (!IsOwn(vertices.Sources[v]))
     {
       continue;
     }
     const Key key = keys.Now[v];
     const auto residual = values.Subtract(key, predictor.Predict(v));
-    auto length = static_cast<unsigned>(std::bit_width(residual));
     // Vertex 0 has no others.
     const auto copy =
-      rule.Copies && length > 0 && v > 0 ? FindCopy(vertices.Gates[v], keys.Now, key) : GateSize;
+      rule.Copies && residual != 0 && v > 0 ? FindCopy(vertices.Gates[v], keys.Now, key) : GateSize;
     if (copy < GateSize)
     {
-      length = values.GetBits() + 1 + copy;
+      residuals.PutLength(values.GetBits() + 1 + copy);
     }
     else
     {
-      bits.Put(residual, GetLowBits(length));
+      residuals.Put(residual);
     }
-    lengths.push_back(static_cast<std::uint8_t>(length));
     predictor.Set(v, key);
   }
   out.Put<std::uint8_t>(rule.Copies ? 1 : 0);
@@ -304,10 +299,7 @@ void PutVertices(
   {
     out.Put(rule.Weights[k]);
   }
-  PutPacked(out, lengths);
-  const auto stored = bits.Finish();
-  out.PutVarint(stored.size());
-  out.PutBytes(stored);
+  residuals.Finish(out);
 }
 
 void CheckKey(bool isValid)
@@ -340,15 +332,14 @@ void GetVertices(
     ThrowCorrupt("an array's stream has impossible weights");
   }
   VertexPredictor<Values> predictor(values, vertices, keys, weights);
-  const auto own =
-    static_cast<std::size_t>(std::count_if(vertices.Sources.begin(), vertices.Sources.end(),
-      [](std::uint32_t source) { return (source & TetTree::SharedFlag) == 0; }));
+  const auto own = static_cast<std::size_t>(
+    std::count_if(vertices.Sources.begin(), vertices.Sources.end(), IsOwn));
   const unsigned bits = values.GetBits();
   NumberReader residuals(in, own, bits, bits + (copies != 0 ? GateSize : 0));
   bool areValid = true;
   for (std::size_t v = 0; v < keys.Now.size(); ++v)
   {
-    if (!IsOwn(vertices, v))
+    if (!IsOwn(vertices.Sources[v]))
     {
       continue;
     }

@@ -113,9 +113,12 @@ public:
   void Put(std::uint64_t number)
   {
     const auto length = static_cast<unsigned>(std::bit_width(number));
-    this->Lengths.push_back(static_cast<std::uint8_t>(length));
+    this->PutLength(length);
     this->Bits.Put(number, GetLowBits(length));
   }
+
+  /** Appends a length that stands for something else than a number. */
+  void PutLength(unsigned length) { this->Lengths.push_back(static_cast<std::uint8_t>(length)); }
 
   void Finish(ByteWriter& out)
   {

@@ -9,32 +9,23 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <type_traits>
 
 namespace gatun
 {
 namespace
 {
-// Of a thread, because making them takes as long as a small stream.
-ZSTD_CCtx* GetPacker()
+/** A context of zstd for this thread, because making one takes as long as a small stream. */
+template <auto Create, auto Free>
+auto* GetContext()
 {
-  thread_local const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> packer(
-    ZSTD_createCCtx(), &ZSTD_freeCCtx);
-  if (!packer)
+  using Context = std::remove_pointer_t<decltype(Create())>;
+  thread_local const std::unique_ptr<Context, decltype(Free)> context(Create(), Free);
+  if (!context)
   {
     throw std::bad_alloc();
   }
-  return packer.get();
-}
-
-ZSTD_DCtx* GetUnpacker()
-{
-  thread_local const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> unpacker(
-    ZSTD_createDCtx(), &ZSTD_freeDCtx);
-  if (!unpacker)
-  {
-    throw std::bad_alloc();
-  }
-  return unpacker.get();
+  return context.get();
 }
 }
 
@@ -43,7 +34,7 @@ void PutPacked(ByteWriter& out, std::span<const std::uint8_t> symbols)
 {
   // Matches hardly occur, and are slower to decode than what they save.
   constexpr int shortestMatch = 7;
-  auto* const packer = GetPacker();
+  auto* const packer = GetContext<&ZSTD_createCCtx, &ZSTD_freeCCtx>();
   ZSTD_CCtx_setParameter(packer, ZSTD_c_compressionLevel, 1);
   ZSTD_CCtx_setParameter(packer, ZSTD_c_minMatch, shortestMatch);
   ZSTD_CCtx_setParameter(packer, ZSTD_c_contentSizeFlag, 0);
@@ -69,8 +60,9 @@ void GetPacked(ByteReader& in, std::span<std::uint8_t> symbols)
     std::copy(bytes.begin(), bytes.end(), symbols.begin());
     return;
   }
+  auto* const unpacker = GetContext<&ZSTD_createDCtx, &ZSTD_freeDCtx>();
   const auto size =
-    ZSTD_decompressDCtx(GetUnpacker(), symbols.data(), symbols.size(), bytes.data(), bytes.size());
+    ZSTD_decompressDCtx(unpacker, symbols.data(), symbols.size(), bytes.data(), bytes.size());
   if (size != symbols.size()) // an error is larger than any size
   {
     ThrowCorrupt("packed symbols are damaged");

@@ -51,7 +51,8 @@ constexpr auto BitCounts = []
   return table;
 }();
 
-/** How often a byte occurs. In runs whose counts fit a byte, so that the loop has lanes of bytes. */
+/** How often a byte occurs. In runs whose counts fit a byte, so that the loop has lanes of bytes.
+ */
 std::size_t CountOf(std::span<const std::uint8_t> bytes, std::uint8_t value)
 {
   constexpr std::size_t run = 192;
@@ -77,7 +78,7 @@ constexpr auto ShiftsOfMask = []
   for (unsigned mask = 0; mask < 8; ++mask)
   {
     unsigned place = 0;
-    for (unsigned face = 0; face < Faces; ++face)
+    for (unsigned face = 0; face < FaceCount; ++face)
     {
       if (mask >> face & 1)
       {
@@ -278,8 +279,7 @@ private:
       else
       {
         const auto parent = tets[this->Tree.Parents[bringer]];
-        gates[v] =
-          (tets[bringer] & LowThree) | GetOpposite(parent, this->Shifts[bringer]) << 48;
+        gates[v] = (tets[bringer] & LowThree) | GetOpposite(parent, this->Shifts[bringer]) << 48;
       }
     }
   }

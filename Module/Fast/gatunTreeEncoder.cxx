@@ -65,7 +65,7 @@ public:
         this->AddRoot(this->Visits.FindFirst());
       }
       std::uint8_t mask = 0;
-      for (unsigned face = 0; face < Faces3; ++face)
+      for (unsigned face = 0; face < FaceCount; ++face)
       {
         mask |= this->Attach(head, face) ? static_cast<std::uint8_t>(1u << face) : 0;
       }
@@ -79,7 +79,6 @@ public:
 
 private:
   static constexpr std::uint32_t Unmet = 0xffffffffu;
-  static constexpr unsigned Faces3 = TreeSymbols::Faces;
 
   std::uint32_t GetNext() const { return static_cast<std::uint32_t>(this->InputOf.size()); }
 
@@ -258,7 +257,7 @@ private:
   std::vector<std::uint32_t> Numbers; // of the input's vertices
   std::vector<std::uint32_t> InputOf; // of the numbers
   std::vector<PackedTet> Tets;
-  Bytes Masks;                        // the faces with children of each tetrahedron
+  Bytes Masks; // the faces with children of each tetrahedron
   Bytes Classes;
   NumberWriter Fars;
   NumberWriter RootCorners;

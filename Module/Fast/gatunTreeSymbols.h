@@ -23,16 +23,12 @@ constexpr std::uint8_t BehindParent = Before + Reach;
 constexpr std::uint8_t BeforeParent = BehindParent + Reach;
 constexpr unsigned Count = BeforeParent + Reach;
 
-/** Faces 0, 1 and 2 are opposite to these corners. Face 3 is that to the parent. */
-constexpr unsigned Faces = 3;
+/** Faces 0, 1 and 2 are opposite to these corners p: p1 p2 p3, p2 p0 p3 and p0 p1 p3. Face 3 is
+ * that to the parent. */
+constexpr unsigned FaceCount = 3;
 
-/** The corners of a tetrahedron attached to a face are those at these places, and a new one. The
- * last one of a face is always the parent's fourth. */
-constexpr std::array<std::array<unsigned, 3>, Faces> FaceCorners{ { { 1, 2, 3 }, { 2, 0, 3 },
-  { 0, 1, 3 } } };
-
-/** The lowest bit of the first of these corners, if the first corner follows the third one. */
-constexpr std::array<unsigned, Faces> FaceShifts{ 16, 32, 0 };
+/** The lowest bit of the first corner of each face, where p0 follows p2. */
+constexpr std::array<unsigned, FaceCount> FaceShifts{ 16, 32, 0 };
 
 constexpr PackedTet LowThree = 0xffffffffffffu;
 

@@ -434,7 +434,8 @@ void CheckBefore(const ArrayModes& modes, std::span<const ComponentKeys> compone
 //------------------------------------------------------------------------------
 ArrayModes ArrayModes::Read(std::span<const std::uint8_t> stream)
 {
-  if (stream.size() < 2 || stream[0] > 5 || stream[1] > 2)
+  if (stream.size() < 2 || stream[0] > static_cast<std::uint8_t>(SpatialMode::Fast) ||
+    stream[1] > 2)
   {
     ThrowCorrupt("an array's stream has an unknown mode");
   }
@@ -511,7 +512,7 @@ void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext&
 Bytes EncodeCellValues(const CellContext& context, std::span<const Domain> domains,
   std::span<ComponentKeys> components, const ModeChoice& choice)
 {
-  if (context.Coder == Profile::Fast && !AreRounded(domains))
+  if (context.Coding == Profile::Fast && !AreRounded(domains))
   {
     return EncodeFast(domains, components,
       [&](ByteWriter& out, const Domain& domain, const GateKeys& keys)

@@ -64,7 +64,7 @@ struct CellContext
 {
   std::span<const std::uint32_t> Parents{}; // of the cells of a chunk, Topology::NoTet for a seed
   const QuadraticFit* Quadratic = nullptr;  // may be null if no stream uses it
-  Profile Coder = Profile::Small;           // of streams to write
+  Profile Coding = Profile::Small;          // of streams to write
 
   bool IsBlock() const { return this->Parents.empty(); }
 };

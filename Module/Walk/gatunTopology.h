@@ -75,8 +75,8 @@ struct CellRecord
  */
 struct Topology
 {
-  static constexpr std::uint32_t SharedFlag = 0x80000000u;
-  static constexpr std::uint32_t NoTet = 0xffffffffu;
+  static constexpr std::uint32_t SharedFlag = TetTree::SharedFlag;
+  static constexpr std::uint32_t NoTet = TetTree::NoTet;
 
   std::vector<std::array<Vertex, 4>> Tets;
   std::vector<std::uint32_t> Parents; // the tetrahedron behind the gate, NoTet for a seed

@@ -81,8 +81,8 @@ void TryValues(fuzz::Input& in, const EncodedChunk& encoded, const ChunkMesh& de
     auto keys = TakeValues(in, decoded.Keys.size(), hasBefore, domains);
     const auto right = keys;
     Round(keys, domains, &decoded.Walk);
-    const auto stream =
-      EncodePointValues(ArrayContext(encoded.Mesh, fuzz::GetFits(decoded)).GetPoints(), domains, keys);
+    const auto stream = EncodePointValues(
+      ArrayContext(encoded.Mesh, fuzz::GetFits(decoded)).GetPoints(), domains, keys);
     const auto rounded = keys;
     for (std::size_t c = 0; c < keys.size(); ++c)
     {
