@@ -190,8 +190,8 @@ public:
 
   ///@{
   /**
-   * What the file is to be good at: to be small, or to be read fast, in which case tetrahedra take
-   * up to twice the space. Default: PROFILE_SMALL.
+   * Whether the file is optimized for size or for reading speed. In fast files, tetrahedra take up
+   * to twice the space. Default: PROFILE_SMALL.
    */
   enum ProfileType
   {

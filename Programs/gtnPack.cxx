@@ -305,8 +305,8 @@ void AddPack(CLI::App& app, Settings& settings)
     ->option_text("WHAT");
   command
     ->add_option("--profile", options->Profile,
-      "What the file is to be good at: small (as few bytes as possible), or fast (to read; "
-      "tetrahedra take up to twice the space) (default: small)")
+      "Optimize the file for size (small) or for reading speed (fast; tetrahedra take up to twice "
+      "the space) (default: small)")
     ->check(CLI::IsMember({ "small", "fast" }))
     ->option_text("WHAT");
   command

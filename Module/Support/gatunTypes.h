@@ -205,11 +205,11 @@ struct Bounds : std::array<Range, 3>
   }
 };
 
-/** What a file is to be good at. */
+/** What a file is optimized for. */
 enum class Profile : std::uint8_t
 {
-  Small, ///< the smallest file
-  Fast   ///< opens at the speed of memory, and is up to twice as large
+  Small, ///< size
+  Fast   ///< reading speed; tetrahedra take up to twice the space
 };
 
 /** Flags: the parts of the original order that a file keeps. */

@@ -63,7 +63,7 @@ struct WriterOptions
    * bounds refer to the range of all parts at each time step. */
   std::vector<ArrayError> Errors;
 
-  /** Whether the file is to be small or fast to read. */
+  /** What the file is optimized for. */
   Profile Coding = Profile::Small;
 
   /** The layers to organize the file and its base meshes by, if any. */

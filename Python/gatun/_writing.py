@@ -325,8 +325,8 @@ def write(
             to ``"abs:E"``, ``"rel:E"``, ``"pw:E"`` or ``"bits:N"``, with ``",zeros"`` at the end if
             values of 0 have to stay; or one of these texts for all arrays. See
             ``vtkGatunWriter.SetArrayTolerance``.
-        profile: what the file is to be good at: ``"small"``, or ``"fast"`` to read, in which case
-            tetrahedra take up to twice the space.
+        profile: ``"small"`` optimizes the file for size, ``"fast"`` for reading speed; tetrahedra
+            take up to twice the space then.
         point_tolerance: how much coordinates may change: a number in their units, or ``"abs:E"``,
             ``"rel:E"`` (of the longest side of the bounds) or ``"bits:N"``.
         keep_order: the original order that the file keeps: ``"none"``, ``"points"``, ``"cells"``,
