@@ -15,6 +15,7 @@
 #include "gtnStepChooser.h"
 #include "gtnSurfaceWriter.h"
 #include "gtnText.h"
+#include "gtnUnpackHDF.h"
 #include "gtnWriteMesh.h"
 
 #include "vtkDataObject.h"
@@ -91,19 +92,9 @@ std::string NameOfStep(
 }
 
 // Writes a file for each step, and the list of them at last.
-void UnpackAll(const UnpackOptions& options, const Settings& settings)
+void UnpackToCollection(Input& input, const UnpackOptions& options, const Settings& settings)
 {
-  if (ExtensionOf(options.Out) != ".pvd")
-  {
-    throw UsageError(options.Out + ": with --all, the name must end in .pvd");
-  }
-  Input input({ options.In }, options.Input);
   const std::vector<double>& times = input.GetTimes();
-  if (times.empty())
-  {
-    throw Failure(options.In, "has no time steps; without --all it becomes one .vtu or .vtp file");
-  }
-  CheckWritable(options.Out, options.Overwrite);
   std::vector<std::string> files;
   for (std::size_t step = 0; step < times.size(); ++step)
   {
@@ -137,6 +128,42 @@ void UnpackAll(const UnpackOptions& options, const Settings& settings)
   }
 }
 
+void UnpackToHDF(Input& input, const UnpackOptions& options, const Settings& settings)
+{
+  const std::string lost = WriteHDF(input, options.Out, options.How != "none", settings);
+  if (settings.Quiet)
+  {
+    return;
+  }
+  if (!lost.empty())
+  {
+    Say(fmt::format(
+      "{}: a .vtkhdf file does not hold all of the mesh: {} left out", options.In, lost));
+  }
+  fmt::print("{}: {} time steps, {}\n", options.Out, input.GetTimes().size(),
+    DescribeByteSize(std::filesystem::file_size(options.Out)));
+}
+
+void UnpackAll(const UnpackOptions& options, const Settings& settings)
+{
+  const bool isHDF = ExtensionOf(options.Out) == ".vtkhdf";
+  if (!isHDF && ExtensionOf(options.Out) != ".pvd")
+  {
+    throw UsageError(options.Out + ": with --all, the name must end in .pvd or .vtkhdf");
+  }
+  if (isHDF && options.How != "zlib" && options.How != "none")
+  {
+    throw UsageError("--compressor: a .vtkhdf file takes none or zlib");
+  }
+  Input input({ options.In }, options.Input);
+  if (input.GetTimes().empty())
+  {
+    throw Failure(options.In, "has no time steps; without --all it becomes one .vtu or .vtp file");
+  }
+  CheckWritable(options.Out, options.Overwrite);
+  (isHDF ? UnpackToHDF : UnpackToCollection)(input, options, settings);
+}
+
 void Unpack(const UnpackOptions& options, const Settings& settings)
 {
   if (options.All)
@@ -144,11 +171,12 @@ void Unpack(const UnpackOptions& options, const Settings& settings)
     UnpackAll(options, settings);
     return;
   }
-  if (ExtensionOf(options.Out) == ".pvd")
-  {
-    throw UsageError(options.Out + ": a .pvd file lists all time steps, which --all writes");
-  }
   const std::string extension = ExtensionOf(options.Out);
+  if (extension == ".pvd" || extension == ".vtkhdf")
+  {
+    throw UsageError(
+      fmt::format("{}: a {} file has all time steps, which --all writes", options.Out, extension));
+  }
   const bool isOfGrids = extension == ".vtu" || extension == ".vtk";
   const bool isOfSurfaces = extension == ".vtk" || IsOneOfSurfaces(extension);
   if (!isOfGrids && !IsOneOfSurfaces(extension))
@@ -194,11 +222,13 @@ void AddUnpack(CLI::App& app, Settings& settings)
     ".vtp, .vtk, .stl, .ply or .obj file; what the last three cannot hold is left out, with a "
     "warning.\n"
     "With --all, each time step is written to a .vtu or .vtp file beside OUT, a .pvd file that\n"
-    "lists them with their times: run_0.vtu, run_1.vtu and so on of run.pvd.",
+    "lists them with their times: run_0.vtu, run_1.vtu and so on of run.pvd. Or all go to one\n"
+    ".vtkhdf file, if gtn was built with VTK 9.4 or later.",
     "  gtn unpack mesh.gtn mesh.vtu\n"
     "  gtn unpack surface.gtn surface.vtp\n"
     "  gtn unpack --arrays pressure,velocity --step 10 run.gtn step10.vtu\n"
     "  gtn unpack --all run.gtn run.pvd\n"
+    "  gtn unpack --all run.gtn run.vtkhdf\n"
     "  gtn unpack -f --compressor none mesh.gtn mesh.vtu");
   AddForce(command, options->Overwrite);
   auto* const all = command->add_flag("--all", options->All, "Write all time steps");
@@ -211,7 +241,8 @@ void AddUnpack(CLI::App& app, Settings& settings)
   AddSets(command, options->Input);
   command
     ->add_option("--compressor", options->How,
-      "Compressor of a .vtu or .vtp file: none, zlib, lz4 or lzma (default: zlib)")
+      "Compressor of a .vtu or .vtp file: none, zlib, lz4 or lzma; of a .vtkhdf file: none or zlib "
+      "(default: zlib)")
     ->check(CLI::IsMember({ "none", "zlib", "lz4", "lzma" }))
     ->option_text("NAME");
   command->add_option("IN", options->In, "The .gtn file, or any other file that pack reads")
@@ -219,7 +250,7 @@ void AddUnpack(CLI::App& app, Settings& settings)
   command
     ->add_option("OUT", options->Out,
       "The .vtu or .vtk file, or the .vtp, .vtk, .stl, .ply or .obj file of a surface; with --all "
-      "the .pvd file")
+      "the .pvd or .vtkhdf file")
     ->required();
   command->callback(
     [=, &settings]

@@ -32,6 +32,13 @@
 #include "vtkCGNSReader.h"
 #endif
 
+#if __has_include("vtkHDFWriter.h") // since VTK 9.4
+#include "vtkHDFWriter.h"
+#define GTN_WRITES_HDF 1
+#else
+#define GTN_WRITES_HDF 0
+#endif
+
 #include <algorithm>
 #include <cstdint>
 #include <map>
@@ -351,18 +358,56 @@ vtkSmartPointer<vtkAlgorithm> MakeCGNS(const std::string& file, bool sets)
   return reader;
 }
 #else
-constexpr decltype(gtn::FormatReaders::MakeCGNS) MakeCGNS = nullptr;
+constexpr decltype(gtn::FormatFunctions::MakeCGNS) MakeCGNS = nullptr;
 #endif
+
+/** The reader adds the time to the field data, where the pipeline has it already. */
+class HDFReader : public vtkHDFReader
+{
+public:
+  static HDFReader* New();
+  vtkTypeMacro(HDFReader, vtkHDFReader);
+
+protected:
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override
+  {
+    const int done = this->vtkHDFReader::RequestData(request, inputVector, outputVector);
+    vtkDataObject* const output = vtkDataObject::GetData(outputVector);
+    vtkInformation* const info = outputVector->GetInformationObject(0);
+    if (done && output && info->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS()))
+    {
+      output->GetFieldData()->RemoveArray("Time");
+    }
+    return done;
+  }
+};
+
+vtkStandardNewMacro(HDFReader);
 
 vtkSmartPointer<vtkAlgorithm> MakeHDF(const std::string& file)
 {
-  vtkNew<vtkHDFReader> reader;
+  vtkNew<HDFReader> reader;
   reader->SetFileName(file.c_str());
   return reader;
 }
 
+#if GTN_WRITES_HDF
+bool WriteHDF(vtkAlgorithm* source, const std::string& file, bool compress)
+{
+  constexpr int level = 4; // that HDF5 has by default
+  vtkNew<vtkHDFWriter> writer;
+  writer->SetInputConnection(source->GetOutputPort());
+  writer->SetFileName(file.c_str());
+  writer->SetCompressionLevel(compress ? level : 0);
+  return writer->Write() != 0;
+}
+#else
+constexpr decltype(gtn::FormatFunctions::WriteHDF) WriteHDF = nullptr;
+#endif
+
 } // anonymous namespace
 
-extern "C" const gtn::FormatReaders gtnFormatReaders;
-const gtn::FormatReaders gtnFormatReaders{ MakeExodus, ListExodusSets, CountExodusBlocks,
-  EstimateExodusBlock, SelectExodusBlock, MakeCGNS, MakeHDF };
+extern "C" const gtn::FormatFunctions gtnFormatFunctions;
+const gtn::FormatFunctions gtnFormatFunctions{ MakeExodus, ListExodusSets, CountExodusBlocks,
+  EstimateExodusBlock, SelectExodusBlock, MakeCGNS, MakeHDF, WriteHDF };

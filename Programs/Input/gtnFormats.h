@@ -3,7 +3,7 @@
 #ifndef gtnFormats_h
 #define gtnFormats_h
 
-// Readers that need netCDF or HDF5, in a library that is loaded on demand.
+// Readers and a writer that need netCDF or HDF5, in a library that is loaded on demand.
 
 #include "vtkSmartPointer.h"
 
@@ -15,8 +15,8 @@ class vtkAlgorithm;
 
 namespace gtn
 {
-/** Functions that make readers, with all arrays switched on. They do not throw. */
-struct FormatReaders
+/** The readers are made with all arrays switched on. The functions do not throw. */
+struct FormatFunctions
 {
   /** sets: whether to read side sets and node sets, too. */
   vtkSmartPointer<vtkAlgorithm> (*MakeExodus)(const std::string& file, bool sets);
@@ -37,10 +37,16 @@ struct FormatReaders
   vtkSmartPointer<vtkAlgorithm> (*MakeCGNS)(const std::string& file, bool sets);
 
   vtkSmartPointer<vtkAlgorithm> (*MakeHDF)(const std::string& file);
+
+  /** Writes all time steps of a grid or surface. Null if this VTK has no writer. */
+  bool (*WriteHDF)(vtkAlgorithm* source, const std::string& file, bool compress);
 };
 
 /** The functions that the library gtnFormats exports by this name. */
-inline constexpr const char* FormatReadersName = "gtnFormatReaders";
+inline constexpr const char* FormatFunctionsName = "gtnFormatFunctions";
+
+/** Loads the library. Throws Failure. */
+const FormatFunctions& GetFormatFunctions();
 }
 
 #endif

@@ -121,13 +121,6 @@ void CheckIsMetaImage(const std::string& file)
   }
 }
 
-const FormatReaders& GetFormatReaders()
-{
-  static const void* const readers =
-    LoadLibrary("gtnFormats", FormatReadersName, "read Exodus, CGNS and HDF files");
-  return *static_cast<const FormatReaders*>(readers);
-}
-
 vtkSmartPointer<vtkAlgorithm> MakeEnSight(const std::string& file)
 {
   vtkNew<vtkGenericEnSightReader> reader;
@@ -147,7 +140,7 @@ void CheckIsCGNS(const std::string& file)
 
 vtkSmartPointer<vtkAlgorithm> MakeCGNS(const std::string& file, bool sets)
 {
-  const auto make = GetFormatReaders().MakeCGNS;
+  const auto make = GetFormatFunctions().MakeCGNS;
   if (!make)
   {
     throw Failure(file, "this gtn was built with a VTK that does not read CGNS files");
@@ -158,6 +151,14 @@ vtkSmartPointer<vtkAlgorithm> MakeCGNS(const std::string& file, bool sets)
 }
 
 } // anonymous namespace
+
+//------------------------------------------------------------------------------
+const FormatFunctions& GetFormatFunctions()
+{
+  static const void* const functions =
+    LoadLibrary("gtnFormats", FormatFunctionsName, "read or write Exodus, CGNS and HDF files");
+  return *static_cast<const FormatFunctions*>(functions);
+}
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
@@ -187,7 +188,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
   if (IsExodus(file))
   {
     CheckIsNetCDF(file);
-    return GetFormatReaders().MakeExodus(file, sets);
+    return GetFormatFunctions().MakeExodus(file, sets);
   }
   if (IsOneOf(extension, { ".case", ".encas" }))
   {
@@ -203,7 +204,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
   }
   if (IsOneOf(extension, { ".vtkhdf", ".hdf" }))
   {
-    return GetFormatReaders().MakeHDF(file);
+    return GetFormatFunctions().MakeHDF(file);
   }
   if (IsMeshioFile(file))
   {
@@ -219,7 +220,7 @@ std::vector<std::string> ListSets(const std::string& file)
   if (IsExodus(file))
   {
     CheckReadable(file);
-    GetFormatReaders().ListExodusSets(MakeReader(file, false), names);
+    GetFormatFunctions().ListExodusSets(MakeReader(file, false), names);
   }
   else if (ExtensionOf(file) == ".foam")
   {
@@ -301,7 +302,7 @@ std::size_t CountExodusBlocks(const std::string& file, bool sets)
   CheckReadable(file);
   vtkSmartPointer<vtkAlgorithm> reader = MakeReader(file, sets);
   CheckMessages(file, true);
-  return static_cast<std::size_t>(GetFormatReaders().CountExodusBlocks(reader));
+  return static_cast<std::size_t>(GetFormatFunctions().CountExodusBlocks(reader));
 }
 
 //------------------------------------------------------------------------------
@@ -310,7 +311,7 @@ std::uint64_t EstimateExodusBlock(const std::string& file, bool sets)
   CheckReadable(file);
   vtkSmartPointer<vtkAlgorithm> reader = MakeReader(file, sets);
   CheckMessages(file, true);
-  return GetFormatReaders().EstimateExodusBlock(reader);
+  return GetFormatFunctions().EstimateExodusBlock(reader);
 }
 
 //------------------------------------------------------------------------------
@@ -320,7 +321,7 @@ vtkSmartPointer<vtkAlgorithm> MakeExodusReader(
   CheckReadable(file);
   vtkSmartPointer<vtkAlgorithm> reader = MakeReader(file, sets);
   CheckMessages(file, true);
-  GetFormatReaders().SelectExodusBlock(reader, static_cast<int>(number));
+  GetFormatFunctions().SelectExodusBlock(reader, static_cast<int>(number));
   return reader;
 }
 
@@ -361,7 +362,7 @@ vtkSmartPointer<vtkAlgorithm> MakeVolumeReader(const std::string& file)
   }
   if (IsOneOf(extension, { ".vtkhdf", ".hdf" }))
   {
-    return GetFormatReaders().MakeHDF(file);
+    return GetFormatFunctions().MakeHDF(file);
   }
   return nullptr;
 }
