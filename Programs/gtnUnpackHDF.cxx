@@ -91,7 +91,8 @@ public:
         cells.begin(), cells.end(), this->Cells.begin(), this->Cells.end(), HaveSameBytes))
     {
       throw Failure(this->Name,
-        "has other cells at a later time step, which VTK does not write correctly to .vtkhdf files; "
+        "has other cells at a later time step, which VTK does not write correctly to .vtkhdf "
+        "files; "
         "write a .pvd file");
     }
     this->CheckMesh(mesh);
@@ -110,8 +111,9 @@ private:
       for (int i = 0; i < data->GetNumberOfArrays(); ++i)
       {
         vtkAbstractArray* const array = data->GetAbstractArray(i);
-        arrays.push_back(fmt::format("{} {}, {}, {}", kind, array->GetName() ? array->GetName() : "",
-          array->GetDataTypeAsString(), array->GetNumberOfComponents()));
+        arrays.push_back(
+          fmt::format("{} {}, {}, {}", kind, array->GetName() ? array->GetName() : "",
+            array->GetDataTypeAsString(), array->GetNumberOfComponents()));
       }
     }
     return arrays;
@@ -160,8 +162,9 @@ private:
     const auto types = grid ? gatun::GetCellTypes(grid) : nullptr;
     if (types && types->LookupValue(VTK_POLYHEDRON) >= 0)
     {
-      throw Failure(this->Name, "has polyhedra, which this VTK does not write to .vtkhdf files; write a .pvd "
-                      "or .vtu file");
+      throw Failure(this->Name,
+        "has polyhedra, which this VTK does not write to .vtkhdf files; write a .pvd "
+        "or .vtu file");
     }
     this->CheckArrays(mesh->GetPointData());
     this->CheckArrays(mesh->GetCellData());
@@ -178,8 +181,10 @@ private:
       const std::string shown = MakePrintableLine(name);
       if (name.empty() || !names.insert(NameInHDF(name)).second)
       {
-        throw Failure(this->Name, fmt::format(
-          "has an array '{}' without a name of its own in HDF5; leave it out by --arrays", shown));
+        throw Failure(this->Name,
+          fmt::format(
+            "has an array '{}' without a name of its own in HDF5; leave it out by --arrays",
+            shown));
       }
       if (name != NameInHDF(name))
       {
@@ -204,7 +209,8 @@ private:
     {
       if (!vtkDataArray::SafeDownCast(data->GetAbstractArray(i)))
       {
-        throw Failure(this->Name, fmt::format("has an array '{}' that is not numeric, which VTK does not write "
+        throw Failure(this->Name,
+          fmt::format("has an array '{}' that is not numeric, which VTK does not write "
                       "to .vtkhdf files; leave it out by --arrays",
             MakePrintableLine(data->GetAbstractArray(i)->GetName())));
       }
@@ -270,8 +276,8 @@ protected:
     const std::vector<double>& times = this->From->GetTimes();
     const double range[2] = { times.front(), times.back() };
     vtkInformation* const info = outputVector->GetInformationObject(0);
-    info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(),
-      static_cast<int>(times.size()));
+    info->Set(
+      vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
     info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
     return 1;
   }
@@ -305,7 +311,8 @@ protected:
 private:
   void Read(std::size_t step)
   {
-    gtn::Progress progress(fmt::format("writing step {} of {}", step + 1, this->From->GetTimes().size()),
+    gtn::Progress progress(
+      fmt::format("writing step {} of {}", step + 1, this->From->GetTimes().size()),
       this->How->ShowProgress);
     auto* const mesh = vtkDataSet::SafeDownCast(this->From->Read(step, progress));
     this->Checks->Check(mesh);

@@ -5,12 +5,15 @@ gatun_core_folder(Fast
     Coding
   PRIVATE_HEADERS
     gatunFaceTable.h
+    gatunGateLanes.h
+    gatunGateRule.h
     gatunGateValues.h
     gatunNumberStream.h
     gatunPackedBytes.h
     gatunTetTree.h
     gatunTreeSymbols.h
   SOURCES
+    gatunGateLanes.cxx
     gatunGateValues.cxx
     gatunPackedBytes.cxx
     gatunTreeDecoder.cxx

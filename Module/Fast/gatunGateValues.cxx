@@ -3,6 +3,7 @@
 
 #include "gatunGateValues.h"
 
+#include "gatunGateRule.h"
 #include "gatunNumberStream.h"
 
 #include <algorithm>
@@ -15,17 +16,12 @@ namespace gatun
 {
 namespace
 {
-/** Weights of the four vertices of a gate in units of 1/256. Their sum is 256. */
-using GateWeights = std::array<std::int16_t, 4>;
-
 /** Those that the encoder tries: the middle of the face, from there on past the vertex behind it,
  * parallelograms, and copies. */
 constexpr std::array<GateWeights, 11> CommonWeights{ { { 85, 85, 86, 0 }, { 171, 171, 170, -256 },
   { 128, 128, 128, -128 }, { 256, 256, -256, 0 }, { -256, 256, 256, 0 }, { 256, -256, 256, 0 },
   { 256, 256, 0, -256 }, { 0, 256, 256, -256 }, { 256, 0, 256, -256 }, { 0, 0, 256, 0 },
   { 256, 0, 0, 0 } } };
-
-constexpr unsigned GateSize = 4;
 
 /** Plain float32 values, which are predicted in binary32. */
 class SingleValues
@@ -94,12 +90,6 @@ void WithValues(const Domain& domain, Code&& code)
   }
 }
 
-/** Whether a vertex is an own one, by its source. */
-constexpr bool IsOwn(std::uint32_t source)
-{
-  return (source & TetTree::SharedFlag) == 0;
-}
-
 /** number(v): that of a vertex. */
 template <typename Number, typename GetNumber>
 Number PredictBy(
@@ -108,15 +98,6 @@ Number PredictBy(
   return ((weights[0] * number(GetCorner(gate, 0)) + weights[1] * number(GetCorner(gate, 1))) +
            weights[2] * number(GetCorner(gate, 2))) +
     weights[3] * number(GetCorner(gate, 3));
-}
-
-template <typename Number>
-std::array<Number, GateSize> ScaleWeights(const GateWeights& weights)
-{
-  std::array<Number, GateSize> scaled{};
-  std::transform(weights.begin(), weights.end(), scaled.begin(),
-    [](std::int16_t weight) { return static_cast<Number>(weight) * Number{ 0.00390625 }; });
-  return scaled;
 }
 
 /** Predicts the keys of vertices in order. */
@@ -234,16 +215,10 @@ double EstimateBits(const Values& values, const GateVertices& vertices, const Ga
   return bits;
 }
 
-struct VertexRule
-{
-  GateWeights Weights{ CommonWeights[0] };
-  bool Copies = false;
-};
-
 template <typename Values>
 VertexRule ChooseRule(const Values& values, const GateVertices& vertices, const GateKeys& keys)
 {
-  VertexRule best;
+  VertexRule best{ CommonWeights[0] };
   if (keys.Use == BeforeUse::Repeat || keys.Now.empty())
   {
     return best;
@@ -294,11 +269,7 @@ void PutVertices(
     }
     predictor.Set(v, key);
   }
-  out.Put<std::uint8_t>(rule.Copies ? 1 : 0);
-  for (unsigned k = 0; k + 1 < GateSize; ++k)
-  {
-    out.Put(rule.Weights[k]);
-  }
+  rule.Write(out);
   residuals.Finish(out);
 }
 
@@ -314,28 +285,10 @@ template <typename Values>
 void GetVertices(
   ByteReader& in, const Values& values, const GateVertices& vertices, const GateKeys& keys)
 {
-  const auto copies = in.Get<std::uint8_t>();
-  if (copies > 1)
-  {
-    ThrowCorrupt("an array's stream has unknown flags");
-  }
-  GateWeights weights{};
-  int last = 256;
-  for (unsigned k = 0; k + 1 < GateSize; ++k)
-  {
-    weights[k] = in.Get<std::int16_t>();
-    last -= weights[k];
-  }
-  weights[GateSize - 1] = static_cast<std::int16_t>(last);
-  if (weights[GateSize - 1] != last)
-  {
-    ThrowCorrupt("an array's stream has impossible weights");
-  }
-  VertexPredictor<Values> predictor(values, vertices, keys, weights);
-  const auto own = static_cast<std::size_t>(
-    std::count_if(vertices.Sources.begin(), vertices.Sources.end(), IsOwn));
+  const auto rule = VertexRule::Read(in);
+  VertexPredictor<Values> predictor(values, vertices, keys, rule.Weights);
   const unsigned bits = values.GetBits();
-  NumberReader residuals(in, own, bits, bits + (copies != 0 ? GateSize : 0));
+  NumberReader residuals(in, CountOwn(vertices.Sources), bits, bits + (rule.Copies ? GateSize : 0));
   bool areValid = true;
   for (std::size_t v = 0; v < keys.Now.size(); ++v)
   {

@@ -101,6 +101,13 @@ public:
     return low & ((std::uint64_t{ 1 } << count) - 1);
   }
 
+  /** The next number of a length. */
+  std::uint64_t GetNumber(unsigned length)
+  {
+    const auto low = this->Get(GetLowBits(length));
+    return low | std::uint64_t{ length > 0 } << (length - (length > 0 ? 1 : 0));
+  }
+
 private:
   const std::uint8_t* Data;
   std::size_t Position = 0;
@@ -155,12 +162,20 @@ public:
     GetPacked(in, this->Lengths);
     this->Stored = GetBits(in);
     this->Bits = BitReader(this->Stored.data());
+    // In runs whose sums fit 32 bits, so that the loop has more lanes.
+    constexpr std::size_t run = std::size_t{ 1 } << 16;
     std::size_t all = 0;
     std::uint8_t largest = 0;
-    for (const auto length : this->Lengths)
+    for (std::size_t begin = 0; begin < count; begin += run)
     {
-      all += length <= bits ? GetLowBits(length) : 0;
-      largest = std::max(largest, length);
+      std::uint32_t sum = 0;
+      for (const auto length :
+        std::span(this->Lengths).subspan(begin, std::min(run, count - begin)))
+      {
+        sum += length <= bits ? GetLowBits(length) : 0;
+        largest = std::max(largest, length);
+      }
+      all += sum;
     }
     if (largest > longest || all > 8 * (this->Stored.size() - BitReader::Padding))
     {
@@ -178,13 +193,13 @@ public:
 
   /** The next length, and the number with it. To be called as often as there are numbers. */
   unsigned GetLength() { return this->Lengths[this->Next++]; }
-  std::uint64_t GetNumber(unsigned length)
-  {
-    const auto low = this->Bits.Get(GetLowBits(length));
-    return low | (length > 0 ? std::uint64_t{ 1 } << (length - 1) : 0);
-  }
+  std::uint64_t GetNumber(unsigned length) { return this->Bits.GetNumber(length); }
 
   std::uint64_t Get() { return this->GetNumber(this->GetLength()); }
+
+  /** All lengths, and the bits, for those who read them otherwise. */
+  const std::uint8_t* GetLengths() const { return this->Lengths.data(); }
+  BitReader GetBitReader() const { return this->Bits; }
 
 private:
   Bytes Lengths;

@@ -25,15 +25,46 @@ constexpr std::uint32_t GetCorner(PackedTet tet, unsigned corner)
   return static_cast<std::uint32_t>(tet >> (16 * corner)) & 0xffff;
 }
 
+/** The four vertices with the last two exchanged. */
+constexpr PackedTet ExchangeLast(PackedTet tet)
+{
+  return (tet & 0xffffffffu) | tet >> 48 << 32 | (tet >> 32 & 0xffff) << 48;
+}
+
+/** Tetrahedra, with some of 0 before and behind them that coders may read. */
+class PaddedTets
+{
+public:
+  PaddedTets() = default;
+  explicit PaddedTets(std::size_t tets)
+    : Padded(Padding + tets + Padding, 0)
+  {
+  }
+
+  PackedTet* data() { return this->Padded.data() + Padding; }
+  const PackedTet* data() const { return this->Padded.data() + Padding; }
+  std::size_t size() const { return this->Padded.empty() ? 0 : this->Padded.size() - 2 * Padding; }
+  PackedTet& operator[](std::size_t tet) { return this->data()[tet]; }
+  const PackedTet& operator[](std::size_t tet) const { return this->data()[tet]; }
+  const PackedTet* begin() const { return this->data(); }
+  const PackedTet* end() const { return this->data() + this->size(); }
+  std::size_t capacity() const { return this->Padded.capacity(); }
+
+  bool operator==(const PaddedTets&) const = default;
+
+private:
+  static constexpr std::size_t Padding = 16;
+
+  std::vector<PackedTet> Padded;
+};
+
 /** The tetrahedra of a chunk. Vertices are numbered in the order of their first use. */
 struct TetTree
 {
   static constexpr std::uint32_t MaxVertices = 0xffff;
   static constexpr std::uint32_t NoTet = 0xffffffffu;
 
-  static constexpr std::size_t Padding = 16; ///< tetrahedra of 0 before and behind them
-
-  std::vector<PackedTet> Made;        ///< with padding
+  PaddedTets Tets;
   std::vector<std::uint32_t> Parents; ///< the tetrahedron that each is attached to, or NoTet
 
   /** For each vertex, those from which it is predicted: the face to which the tetrahedron that
@@ -48,11 +79,6 @@ struct TetTree
   /** Bit i of byte i / 8 is set if the last two corners of tetrahedron i have to be exchanged; none
    * if that is so for no tetrahedron. */
   std::vector<std::uint8_t> Flips;
-
-  std::span<const PackedTet> GetTets() const
-  {
-    return std::span(this->Made).subspan(Padding, this->Made.size() - 2 * Padding);
-  }
 };
 
 struct EncodedTree

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
+#include <memory>
 
 namespace gatun
 {
@@ -17,25 +19,30 @@ namespace
 {
 using namespace TreeSymbols;
 
+constexpr std::uint32_t All = 0xffffffffu;
+
 /** How to find the tetrahedron whose fourth corner a symbol names: its number is that of the
- * tetrahedron itself, or of the parent where the mask is set, and a difference. */
+ * tetrahedron itself, or of the parent where the mask is set, and a difference. Masks in place of
+ * conditions, of which compilers make branches, which are unpredictable here. */
 struct Reference
 {
   std::uint32_t OfParent;
-  std::int32_t Difference;
+  std::uint32_t Difference;
+  std::uint32_t IsNew;
+  std::uint32_t IsFar;
 };
 
 constexpr auto References = []
 {
   std::array<Reference, Count> table{};
-  table[New] = { 0, -1 }; // looked at, but not used
-  table[Far] = { 0, -1 };
+  table[New] = { 0, 0 - 1u, All, 0 }; // looked at, but not used
+  table[Far] = { 0, 0 - 1u, 0, All };
   for (unsigned k = 0; k < Reach; ++k)
   {
-    const auto distance = static_cast<std::int32_t>(k) + 1;
-    table[Before + k] = { 0, -distance };
-    table[BehindParent + k] = { 0xffffffffu, distance };
-    table[BeforeParent + k] = { 0xffffffffu, -distance };
+    const unsigned distance = k + 1;
+    table[Before + k] = { 0, 0 - distance, 0, 0 };
+    table[BehindParent + k] = { All, distance, 0, 0 };
+    table[BeforeParent + k] = { All, 0 - distance, 0, 0 };
   }
   return table;
 }();
@@ -71,18 +78,18 @@ std::size_t CountOf(std::span<const std::uint8_t> bytes, std::uint8_t value)
   return count;
 }
 
-/** The shifts of the faces with children, one in each byte. */
-constexpr auto ShiftsOfMask = []
+/** The shifts of the faces with children of two tetrahedra, one in each byte. */
+constexpr auto ShiftsOfMasks = []
 {
-  std::array<std::uint32_t, 8> table{};
-  for (unsigned mask = 0; mask < 8; ++mask)
+  std::array<std::uint64_t, 64> table{};
+  for (unsigned masks = 0; masks < table.size(); ++masks)
   {
     unsigned place = 0;
-    for (unsigned face = 0; face < FaceCount; ++face)
+    for (unsigned face = 0; face < 2 * FaceCount; ++face)
     {
-      if (mask >> face & 1)
+      if (masks >> face & 1)
       {
-        table[mask] |= FaceShifts[face] << (8 * place++);
+        table[masks] |= std::uint64_t{ FaceShifts[face % FaceCount] } << (8 * place++);
       }
     }
   }
@@ -169,12 +176,23 @@ private:
   {
     constexpr std::size_t padding = 8;
     this->Tree.Parents.resize(this->Tets + padding);
-    this->Shifts.resize(this->Tets + padding);
+    this->Shifts = std::make_unique_for_overwrite<std::uint8_t[]>(this->Tets + padding);
     auto* const parents = this->Tree.Parents.data();
-    auto* const shifts = this->Shifts.data();
+    auto* const shifts = this->Shifts.get();
     const auto* const masks = this->Masks.data();
     std::uint32_t next = 0;
-    for (std::uint32_t head = 0; head < this->Tets; ++head)
+    std::uint32_t head = 0;
+    // Stores more than the faces are, which the next ones replace.
+    const auto add = [&](unsigned mask)
+    {
+      for (unsigned k = 0; k < 4; ++k)
+      {
+        parents[next + k] = head;
+      }
+      next += BitCounts[mask];
+      ++head;
+    };
+    while (head < this->Tets)
     {
       if (head == next)
       {
@@ -185,12 +203,17 @@ private:
         this->Roots.push_back(head);
         parents[next++] = TetTree::NoTet;
       }
-      const unsigned mask = masks[head / 2] >> (head % 2 * 3) & 7;
-      std::memcpy(shifts + next, &ShiftsOfMask[mask], sizeof(std::uint32_t));
-      parents[next] = head;
-      parents[next + 1] = head;
-      parents[next + 2] = head;
-      next += BitCounts[mask];
+      const unsigned pair = masks[head / 2];
+      if (head % 2 == 0 && head + 1 < next)
+      {
+        std::memcpy(shifts + next, &ShiftsOfMasks[pair], sizeof(std::uint64_t));
+        add(pair & 7);
+        add(pair >> 3);
+        continue;
+      }
+      const unsigned mask = pair >> (head % 2 * 3) & 7;
+      std::memcpy(shifts + next, &ShiftsOfMasks[mask], sizeof(std::uint32_t));
+      add(mask);
     }
     // There are as many children and roots as tetrahedra.
     this->Tree.Parents.resize(this->Tets);
@@ -214,18 +237,18 @@ private:
         this->Bringers[this->Next++] = tet | NewOfRoot;
       }
     }
-    this->Tree.Made[TetTree::Padding + tet] = Pack(corners[0], corners[1], corners[2], corners[3]);
+    this->Tree.Tets[tet] = Pack(corners[0], corners[1], corners[2], corners[3]);
   }
 
   void Walk()
   {
-    this->Tree.Made.assign(TetTree::Padding + this->Tets + TetTree::Padding, 0);
+    this->Tree.Tets = PaddedTets(this->Tets);
     this->Bringers.resize(this->Vertices + 1);
     const auto* symbol = this->Classes.data();
     const auto* far = this->Fars.data();
-    auto* const made = this->Tree.Made.data() + TetTree::Padding;
+    auto* const made = this->Tree.Tets.data();
     const auto* const parents = this->Tree.Parents.data();
-    const auto* const shifts = this->Shifts.data();
+    const auto* const shifts = this->Shifts.get();
     auto* const bringers = this->Bringers.data();
     std::uint32_t bad = 0;
     for (std::uint32_t root = 0; root < this->RootCount; ++root)
@@ -237,27 +260,22 @@ private:
       {
         const auto parent = parents[i];
         const auto face = GetFace(made[parent], shifts[i]);
-        const auto kind = *symbol++;
-        const auto& reference = References[kind];
-        const auto other = static_cast<std::int32_t>(i + ((parent - i) & reference.OfParent) +
-          static_cast<std::uint32_t>(reference.Difference));
-        auto apex = static_cast<std::uint32_t>(made[other] >> 48);
-        // With masks, because compilers make branches of conditions, which are unpredictable here.
-        const auto isNew = static_cast<std::uint32_t>(kind == New);
-        const auto isFar = static_cast<std::uint32_t>(kind == Far);
+        const auto& reference = References[*symbol++];
+        const auto other = i + ((parent - i) & reference.OfParent) + reference.Difference;
+        auto apex = static_cast<std::uint32_t>(made[static_cast<std::int32_t>(other)] >> 48);
         const std::uint32_t named = (next - 1 - *far) & 0xffff;
-        apex ^= (apex ^ next) & (0 - isNew);
-        apex ^= (apex ^ named) & (0 - isFar);
+        apex ^= (apex ^ next) & reference.IsNew;
+        apex ^= (apex ^ named) & reference.IsFar;
         bringers[next] = i;
-        next += isNew;
-        far += isFar;
-        bad |= static_cast<std::uint32_t>(apex >= next) |
-          static_cast<std::uint32_t>(static_cast<std::uint32_t>(other) >= i);
+        next -= reference.IsNew; // which is -1
+        far += reference.IsFar & 1;
+        // The highest bit is set if a number is negative, or not below the one that it must be.
+        bad |= other | (i - 1 - other) | (next - 1 - apex);
         made[i] = face | PackedTet{ apex } << 48;
       }
       this->Next = next;
     }
-    if (bad != 0)
+    if (static_cast<std::int32_t>(bad) < 0)
     {
       ThrowCorrupt("a chunk names a vertex that it does not have");
     }
@@ -266,7 +284,7 @@ private:
   void FindGates()
   {
     auto& gates = this->Tree.Gates;
-    const auto tets = this->Tree.GetTets();
+    const auto& tets = this->Tree.Tets;
     gates.resize(this->Vertices);
     for (std::uint32_t v = 0; v < this->Vertices; ++v)
     {
@@ -325,7 +343,7 @@ private:
   std::uint32_t RootCount = 0;
   std::vector<std::uint32_t> RootCorners; // 0: new; else 1 + the distance from the last vertex
   std::vector<std::uint32_t> Roots;       // their tetrahedra, and the end
-  std::vector<std::uint8_t> Shifts;
+  std::unique_ptr<std::uint8_t[]> Shifts;
   std::vector<std::uint32_t> Bringers; // the tetrahedron with which each vertex came
   std::uint32_t Next = 0;              // vertices so far
 };

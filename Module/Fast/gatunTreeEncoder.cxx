@@ -246,9 +246,8 @@ private:
       PutPacked(out, tree.Flips);
     }
     this->Result.Stream = std::move(out.Data);
-    tree.Made.resize(TetTree::Padding, 0);
-    tree.Made.insert(tree.Made.end(), this->Tets.begin(), this->Tets.end());
-    tree.Made.resize(tree.Made.size() + TetTree::Padding, 0);
+    tree.Tets = PaddedTets(this->Tets.size());
+    std::copy(this->Tets.begin(), this->Tets.end(), tree.Tets.data());
   }
 
   const std::uint32_t Shared;

@@ -60,7 +60,8 @@ inline std::uint64_t BytesOf(const DomainsPart& domains)
 inline std::uint64_t BytesOf(const ChunkMesh& mesh)
 {
   const auto& walk = mesh.Walk;
-  return sizeof(mesh) + BytesIn(walk.Tets) + BytesIn(walk.Parents) + BytesIn(walk.Sources) +
+  return sizeof(mesh) + BytesIn(walk.Tets) + BytesIn(walk.Gates) +
+    walk.Packed.capacity() * sizeof(PackedTet) + BytesIn(walk.Parents) + BytesIn(walk.Sources) +
     BytesIn(walk.Records) + BytesIn(walk.EdgeLog) + BytesIn(walk.CellRecords) +
     BytesIn(mesh.CellRules) + BytesIn(mesh.Keys) + BytesIn(mesh.Rules) + BytesIn(mesh.UsedRules) +
     BytesIn(mesh.OwnIds) + BytesIn(mesh.Cells.Types) + BytesIn(mesh.Cells.Starts) +

@@ -59,8 +59,8 @@ private:
     const Places& places, auto&& cellOf) const;
   std::vector<std::uint64_t> FindIds(
     const Job& job, std::size_t i, const ChunkMesh& mesh, const Places& points) const;
-  void StoreTets(const Job& job, std::size_t i, const ChunkMesh& mesh,
-    std::span<const std::array<Vertex, 4>> tets, const Places& points, const Places& cells) const;
+  void StoreTets(const Job& job, std::size_t i, const ChunkMesh& mesh, const auto& tets,
+    const Places& points, const Places& cells) const;
   void StoreOriginal(Job& job, std::size_t i, const ChunkMesh& mesh, const Places& points,
     std::shared_ptr<const OrderPart> order) const;
   void FinishOriginal(const Job& job) const;

@@ -118,6 +118,12 @@ struct ChunkSetDecoder::Job
   mutable std::vector<std::atomic<bool>> PointTaken;
   mutable std::vector<std::atomic<bool>> CellTaken;
 
+  /** Whether anything is wanted of each point but its coordinates and values. */
+  bool NeedsPointPlaces() const
+  {
+    return !this->PointTaken.empty() || this->Target.GlobalPointIds || this->Target.PointGhosts;
+  }
+
   /** Whether anything is wanted of each cell but its corners and values. A step of a mesh that is
    * there already needs nothing. */
   bool NeedsCellPlaces() const
@@ -163,13 +169,21 @@ struct ChunkSetDecoder::Job
     }
   }
 
-  void StorePoint(const PointDomain& domains, const PointKeys& keys, std::uint64_t place) const
+  void StorePoints(
+    const PointDomain& domains, std::size_t count, auto&& keysOf, auto&& placeOf) const
   {
     const auto size = SizeOf(domains[0].GetType());
-    auto* to = static_cast<std::uint8_t*>(this->Target.Points) + 3 * size * place;
-    for (unsigned axis = 0; axis < 3; ++axis)
+    auto* to = static_cast<std::uint8_t*>(this->Target.Points);
+    for (unsigned axis = 0; axis < 3; ++axis, to += size)
     {
-      domains[axis].Write(keys[axis], to + axis * size);
+      WithWriter(domains[axis],
+        [&](auto&& write)
+        {
+          for (std::size_t i = 0; i < count; ++i)
+          {
+            write(keysOf(i)[axis], to + 3 * size * placeOf(i));
+          }
+        });
     }
   }
 };

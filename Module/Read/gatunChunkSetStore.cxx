@@ -26,13 +26,15 @@ void ChunkSetDecoder::StoreBlock(const Job& job, std::size_t b) const
   {
     const auto place = [&](std::size_t i)
     { return job.RestorePoints ? (*work.Order)[first + i] : start + i; };
-    for (std::size_t i = 0; i < count; ++i)
+    if (job.HasMeshPoints)
+    {
+      job.StorePoints(
+        content.Domains, count,
+        [&](std::size_t i) -> const PointKeys& { return (*work.Points)[first + i]; }, place);
+    }
+    for (std::size_t i = 0; job.NeedsPointPlaces() && i < count; ++i)
     {
       job.TakePoint(place(i));
-      if (job.HasMeshPoints)
-      {
-        job.StorePoint(content.Domains, (*work.Points)[first + i], place(i));
-      }
       if (target.GlobalPointIds)
       {
         target.GlobalPointIds[place(i)] = static_cast<std::int64_t>(
@@ -80,14 +82,10 @@ void ChunkSetDecoder::StorePoints(const Job& job, std::size_t i, const ChunkMesh
   const auto& target = job.Target;
   const auto& ownIds = mesh.OwnIds;
   const Places pointIds{ points, info.FirstPoint };
-  for (std::size_t own = 0; own < ownIds.size(); ++own)
+  for (std::size_t own = 0; job.NeedsPointPlaces() && own < ownIds.size(); ++own)
   {
     const auto place = places(own);
     job.TakePoint(place);
-    if (job.HasMeshPoints)
-    {
-      job.StorePoint(content.Domains, mesh.Keys[ownIds[own]], place);
-    }
     if (target.GlobalPointIds)
     {
       target.GlobalPointIds[place] = static_cast<std::int64_t>(pointIds(own));
@@ -96,6 +94,12 @@ void ChunkSetDecoder::StorePoints(const Job& job, std::size_t i, const ChunkMesh
     {
       target.PointGhosts[place] = 0;
     }
+  }
+  if (job.HasMeshPoints)
+  {
+    job.StorePoints(
+      content.Domains, ownIds.size(),
+      [&](std::size_t own) -> const PointKeys& { return mesh.Keys[ownIds[own]]; }, places);
   }
 }
 
@@ -181,7 +185,9 @@ void ChunkSetDecoder::StoreChunk(Job& job, std::size_t i, const ChunkMesh& mesh)
   }
   else if (target.Connectivity)
   {
-    this->StoreTets(job, i, mesh, isSplit ? split.Tets : mesh.Walk.Tets, pointPlaces, cellPlaces);
+    const auto store = [&](const auto& tets)
+    { this->StoreTets(job, i, mesh, tets, pointPlaces, cellPlaces); };
+    isSplit ? store(split.Tets) : mesh.Walk.UseTets(store);
   }
   for (std::size_t a = 0; a < job.Arrays.size(); ++a)
   {
@@ -241,7 +247,7 @@ std::vector<std::uint64_t> ChunkSetDecoder::FindIds(
 
 //------------------------------------------------------------------------------
 void ChunkSetDecoder::StoreTets(const Job& job, std::size_t i, const ChunkMesh& mesh,
-  std::span<const std::array<Vertex, 4>> tets, const Places& points, const Places& cells) const
+  const auto& tets, const Places& points, const Places& cells) const
 {
   const auto chunk = this->Set.GetChunks()[i];
   const auto ids = this->FindIds(job, i, mesh, points);
@@ -254,8 +260,9 @@ void ChunkSetDecoder::StoreTets(const Job& job, std::size_t i, const ChunkMesh& 
     using Id = std::remove_pointer_t<decltype(connectivity)>;
     for (std::size_t t = 0; t < tets.size(); ++t)
     {
-      const auto tet =
-        rotations.empty() ? tets[t] : RotateCorners(tets[t], static_cast<unsigned>(rotations[t]));
+      const auto tet = rotations.empty()
+        ? UnpackTet(tets[t])
+        : RotateCorners(UnpackTet(tets[t]), static_cast<unsigned>(rotations[t]));
       auto* corners = connectivity + 4 * cells(t);
       for (unsigned corner = 0; corner < 4; ++corner)
       {

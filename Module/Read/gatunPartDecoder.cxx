@@ -294,7 +294,7 @@ CellList PartDecoder::GetCells(
   const auto& entry = *held;
   if (entry.Sizes.IsTetrahedral)
   {
-    auto tets = mesh.Walk.Tets;
+    auto tets = mesh.Walk.CopyTets();
     const auto rotations = restoreCorners ? this->DecodeCorners(chunk, mesh) : std::vector<Key>{};
     for (std::size_t t = 0; t < rotations.size(); ++t)
     {

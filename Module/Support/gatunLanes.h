@@ -19,6 +19,8 @@ namespace gatun
 {
 #if defined(__GNUC__)
 using Float4 = float __attribute__((vector_size(16)));
+using Int4 = std::int32_t __attribute__((vector_size(16)));
+using UInt4 = std::uint32_t __attribute__((vector_size(16)));
 using Short8 = std::int16_t __attribute__((vector_size(16)));
 
 /** a in lanes where l > r, else b. */
@@ -70,7 +72,6 @@ public:
   }
 
 private:
-  using Int4 = std::int32_t __attribute__((vector_size(16)));
   static constexpr float Infinity = std::numeric_limits<float>::infinity();
 
   Float4 Numbers{ Infinity, Infinity, Infinity, Infinity };

@@ -268,8 +268,9 @@ SurfacePart ChunkSurface::Make(std::uint32_t chunk, const SurfaceOptions& option
   // Several tetrahedra may have the values of one cell.
   const bool isSplit = !this->Parts.GetFile()->GetChunks()[chunk].IsTetrahedral;
   const auto split = isSplit ? this->Parts.SplitCells(chunk, *mesh) : ChunkSize();
-  const RemainingTets remaining(
-    this->Parts, chunk, isSplit ? split.Tets : mesh->Walk.Tets, isSplit ? &split.Cells : nullptr);
+  const auto unpacked = !isSplit && mesh->Walk.HasTree() ? mesh->Walk.CopyTets() : split.Tets;
+  const RemainingTets remaining(this->Parts, chunk,
+    isSplit || mesh->Walk.HasTree() ? unpacked : mesh->Walk.Tets, isSplit ? &split.Cells : nullptr);
   const auto& tets = remaining.GetTets();
   SurfaceInput input;
   input.Mesh.Points = mesh->Keys.size();

@@ -500,6 +500,11 @@ void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext&
   if (modes.Spatial == SpatialMode::Fast)
   {
     const GateVertices vertices{ context.Mesh->Gates, context.Mesh->Sources };
+    if (modes.Temporal == TemporalMode::None && HaveLanes(domains))
+    {
+      DecodeLanes(stream, vertices, components);
+      return;
+    }
     DecodeFast(stream, modes.Temporal, domains, components,
       [&](ByteReader& in, const Domain& domain, const GateKeys& keys)
       { GetVertexValues(in, domain, vertices, keys); });

@@ -27,7 +27,7 @@ QuadraticFit FitCells(const ChunkMesh& mesh)
 {
   const bool areTets = mesh.Cells.Types.empty();
   std::vector<std::uint32_t> starts, corners;
-  for (const auto& tet : mesh.Walk.Tets)
+  for (const auto& tet : mesh.Walk.CopyTets())
   {
     starts.push_back(static_cast<std::uint32_t>(corners.size()));
     corners.insert(corners.end(), tet.begin(), tet.end());

@@ -9,10 +9,12 @@
 #include "gatunBytes.h"
 #include "gatunDomain.h"
 #include "gatunError.h"
+#include "gatunGateLanes.h"
 #include "gatunGateValues.h"
 #include "gatunPointContext.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -67,6 +69,31 @@ Bytes EncodeFast(std::span<const Domain> domains, std::span<ComponentKeys> compo
     }
   }
   return best;
+}
+
+/** Whether GetVertexLanes takes values of these domains. */
+inline bool HaveLanes(std::span<const Domain> domains)
+{
+  return std::all_of(domains.begin(), domains.end(), Float32Domain::Matches);
+}
+
+/** Decodes the components of a stream of EncodeFast at the vertices of a tree, where HaveLanes, and
+ * without values before. */
+inline void DecodeLanes(std::span<const std::uint8_t> stream, const GateVertices& vertices,
+  std::span<ComponentKeys> components)
+{
+  ByteReader in(stream.subspan(2));
+  while (!components.empty())
+  {
+    const auto some = components.first(std::min(MostGateLanes, components.size()));
+    std::array<KeyColumn, MostGateLanes> columns{};
+    std::transform(some.begin(), some.end(), columns.begin(),
+      [](ComponentKeys& keys) -> KeyColumn {
+        return { keys.Now.data(), 1 };
+      });
+    GetVertexLanes(in, vertices, std::span(columns).first(some.size()));
+    components = components.subspan(some.size());
+  }
 }
 
 /** Decodes a stream of EncodeFast. get(in, domain, keys) reads a component. */

@@ -7,8 +7,11 @@
 #include "gatunFront.h"
 #include "gatunTetTree.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
+#include <span>
 #include <vector>
 
 namespace gatun
@@ -69,6 +72,16 @@ struct CellRecord
   }
 };
 
+/** The corners of a tetrahedron in either form. */
+inline const std::array<Vertex, 4>& UnpackTet(const std::array<Vertex, 4>& tet)
+{
+  return tet;
+}
+inline std::array<Vertex, 4> UnpackTet(PackedTet tet)
+{
+  return { GetCorner(tet, 0), GetCorner(tet, 1), GetCorner(tet, 2), GetCorner(tet, 3) };
+}
+
 /**
  * The mesh of a chunk after its walk. Shared and own vertices are numbered in the order in which
  * the walk met them.
@@ -78,8 +91,9 @@ struct Topology
   static constexpr std::uint32_t SharedFlag = TetTree::SharedFlag;
   static constexpr std::uint32_t NoTet = TetTree::NoTet;
 
-  std::vector<std::array<Vertex, 4>> Tets;
-  std::vector<std::uint32_t> Parents; // the tetrahedron behind the gate, NoTet for a seed
+  std::vector<std::array<Vertex, 4>> Tets; // of a walk
+  PaddedTets Packed;                       // of a tree, in place of Tets
+  std::vector<std::uint32_t> Parents;      // the tetrahedron behind the gate, NoTet for a seed
 
   // The number of each vertex among the chunk's shared vertices, with SharedFlag, or its own ones.
   std::vector<std::uint32_t> Sources;
@@ -92,6 +106,26 @@ struct Topology
 
   bool HasTree() const { return !this->Gates.empty(); }
   std::size_t GetOwnVertices() const { return this->Records.size() + this->CellRecords.size(); }
+  /** Calls use(tets) with those of the walk or of the tree, which UnpackTet takes. */
+  template <typename Use>
+  void UseTets(Use&& use) const
+  {
+    this->HasTree() ? use(std::span<const PackedTet>(this->Packed)) : use(std::span(this->Tets));
+  }
+
+  std::vector<std::array<Vertex, 4>> CopyTets() const
+  {
+    std::vector<std::array<Vertex, 4>> copy;
+    this->UseTets(
+      [&copy](const auto& tets)
+      {
+        copy.reserve(tets.size());
+        std::transform(tets.begin(), tets.end(), std::back_inserter(copy),
+          [](const auto& tet) { return UnpackTet(tet); });
+      });
+    return copy;
+  }
+
   bool IsShared(Vertex v) const { return (this->Sources[v] & SharedFlag) != 0; }
 
   /** The number of each own vertex in the walk. */

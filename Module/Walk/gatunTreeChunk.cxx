@@ -4,9 +4,12 @@
 #include "gatunTreeChunk.h"
 
 #include "gatunCornerRotation.h"
+#include "gatunGateLanes.h"
 #include "gatunGateValues.h"
 #include "gatunTetTree.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -17,18 +20,12 @@ namespace
 /** The mesh of a tree without coordinates. */
 void SetWalk(TetTree&& tree, Topology& walk)
 {
-  const auto tets = tree.GetTets();
-  walk.Tets.reserve(tets.size());
-  for (const auto tet : tets)
-  {
-    walk.Tets.push_back(
-      { GetCorner(tet, 0), GetCorner(tet, 1), GetCorner(tet, 2), GetCorner(tet, 3) });
-  }
-  for (std::size_t t = 0; !tree.Flips.empty() && t < tets.size(); ++t)
+  walk.Packed = std::move(tree.Tets);
+  for (std::size_t t = 0; !tree.Flips.empty() && t < walk.Packed.size(); ++t)
   {
     if ((tree.Flips[t / 8] >> t % 8 & 1) != 0)
     {
-      std::swap(walk.Tets[t][2], walk.Tets[t][3]);
+      walk.Packed[t] = ExchangeLast(walk.Packed[t]);
     }
   }
   walk.Parents = std::move(tree.Parents);
@@ -45,6 +42,31 @@ std::vector<Key> GetAxis(std::span<const PointKeys> keys, unsigned axis)
     result[v] = keys[v][axis];
   }
   return result;
+}
+
+/** Decodes the keys of own vertices. */
+void DecodeKeys(ByteReader& in, ChunkMesh& mesh)
+{
+  const GateVertices vertices{ mesh.Walk.Gates, mesh.Walk.Sources };
+  if (std::all_of(mesh.Domains.begin(), mesh.Domains.end(), Float32Domain::Matches))
+  {
+    std::array<KeyColumn, 3> columns{};
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      columns[axis] = { &mesh.Keys[0][axis], 3 };
+    }
+    GetVertexLanes(in, vertices, columns);
+    return;
+  }
+  for (unsigned axis = 0; axis < 3; ++axis)
+  {
+    auto keys = GetAxis(mesh.Keys, axis);
+    GetVertexValues(in, mesh.Domains[axis], vertices, { keys });
+    for (std::size_t v = 0; v < keys.size(); ++v)
+    {
+      mesh.Keys[v][axis] = keys[v];
+    }
+  }
 }
 }
 
@@ -80,7 +102,7 @@ EncodedChunk EncodeTreeChunk(const ChunkFrame& frame,
     std::array<std::uint32_t, 4> corners{};
     for (unsigned k = 0; k < 4; ++k)
     {
-      corners[k] = inputOf(walk.Tets[t][k]);
+      corners[k] = inputOf(GetCorner(walk.Packed[t], k));
     }
     bool isMirrored = false;
     result.Corners[t] = FindRotation(corners, tets[result.TetOrder[t]], isMirrored);
@@ -112,21 +134,15 @@ ChunkMesh DecodeTreeChunk(const ChunkFrame& frame, std::span<const std::uint8_t>
   const auto& walk = mesh.Walk;
   mesh.OwnIds = walk.FindOwnIds();
   mesh.Keys.resize(vertices);
-  ByteReader in(geometry);
-  std::vector<Key> keys(vertices);
-  for (unsigned axis = 0; axis < 3; ++axis)
+  for (Vertex v = 0; v < vertices; ++v)
   {
-    for (Vertex v = 0; v < vertices; ++v)
+    if (walk.IsShared(v))
     {
-      keys[v] =
-        walk.IsShared(v) ? frame.SharedKeys[walk.Sources[v] & ~Topology::SharedFlag][axis] : 0;
-    }
-    GetVertexValues(in, mesh.Domains[axis], { walk.Gates, walk.Sources }, { keys });
-    for (Vertex v = 0; v < vertices; ++v)
-    {
-      mesh.Keys[v][axis] = keys[v];
+      mesh.Keys[v] = frame.SharedKeys[walk.Sources[v] & ~Topology::SharedFlag];
     }
   }
+  ByteReader in(geometry);
+  DecodeKeys(in, mesh);
   return mesh;
 }
 }

@@ -467,6 +467,7 @@ MeshSection::ChunkStreams MeshSection::EncodeChunk(WriterPart& part, std::size_t
         [](const ArrayDescription& array) { return array.Where == Association::Cell; }))
   {
     state.Mesh.Walk.Tets = {};
+    state.Mesh.Walk.Packed = {};
     state.Mesh.Cells = {};
   }
   return streams;

@@ -518,7 +518,8 @@ void CheckChunk(const ChunkFrame& frame, const ChunkMesh& mesh)
 {
   const auto& walk = mesh.Walk;
   const auto vertices = frame.OwnPoints + frame.SharedKeys.size();
-  Require(walk.Tets.size() == frame.Tets && walk.Parents.size() == frame.Tets &&
+  const auto tets = walk.CopyTets();
+  Require(tets.size() == frame.Tets && walk.Parents.size() == frame.Tets &&
     walk.Sources.size() == vertices && mesh.Keys.size() == vertices);
   Require(walk.HasTree()
       ? walk.Gates.size() == vertices
@@ -530,9 +531,9 @@ void CheckChunk(const ChunkFrame& frame, const ChunkMesh& mesh)
       Require(GetCorner(walk.Gates[v], k) < v);
     }
   }
-  for (std::size_t t = 0; t < walk.Tets.size(); ++t)
+  for (std::size_t t = 0; t < tets.size(); ++t)
   {
-    for (const auto v : walk.Tets[t])
+    for (const auto v : tets[t])
     {
       Require(v < vertices);
     }

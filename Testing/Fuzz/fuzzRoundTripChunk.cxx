@@ -96,7 +96,7 @@ void TryValues(fuzz::Input& in, const EncodedChunk& encoded, const ChunkMesh& de
     Compare(keys, rounded, right, domains);
   }
   std::vector<Domain> domains;
-  auto keys = TakeValues(in, decoded.Walk.Tets.size(), hasBefore, domains);
+  auto keys = TakeValues(in, decoded.Walk.Parents.size(), hasBefore, domains);
   const auto right = keys;
   Round(keys, domains, nullptr);
   const CellContext context{ decoded.Walk.Parents, &fuzz::GetTupleFit(),
@@ -120,11 +120,12 @@ void TryChunk(fuzz::Input in, const ChunkFrame& frame, const std::vector<fuzz::T
   const auto decoded =
     DecodeChunk(frame, fuzz::Copy(encoded.Connectivity), fuzz::Copy(encoded.Geometry));
   fuzz::CheckChunk(frame, decoded);
-  Require(decoded.Keys == encoded.Mesh.Keys && decoded.Walk.Tets == encoded.Mesh.Walk.Tets);
+  const auto walked = decoded.Walk.CopyTets();
+  Require(decoded.Keys == encoded.Mesh.Keys && walked == encoded.Mesh.Walk.CopyTets());
   for (std::size_t t = 0; t < tets.size(); ++t)
   {
     // Each corner's point, found through the decoder's numbers, is the input's.
-    const auto corners = RotateCorners(decoded.Walk.Tets[t], encoded.Corners[t]);
+    const auto corners = RotateCorners(walked[t], encoded.Corners[t]);
     for (unsigned i = 0; i < 4; ++i)
     {
       const auto source = decoded.Walk.Sources[corners[i]];

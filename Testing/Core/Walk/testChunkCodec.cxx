@@ -261,9 +261,10 @@ void ExpectNoHarm(const ChunkFrame& frame, const Bytes& connectivity, const Byte
   try
   {
     const auto mesh = DecodeChunk(frame, connectivity, geometry);
-    ASSERT_EQ(mesh.Walk.Tets.size(), frame.Tets);
+    const auto tets = mesh.Walk.CopyTets();
+    ASSERT_EQ(tets.size(), frame.Tets);
     ASSERT_EQ(mesh.Keys.size(), frame.OwnPoints + frame.SharedKeys.size());
-    for (const auto& tet : mesh.Walk.Tets)
+    for (const auto& tet : tets)
     {
       for (const auto v : tet)
       {

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunGateLanes.h"
+
+#include "gatunGateRule.h"
+#include "gatunLanes.h"
+#include "gatunNumberStream.h"
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace gatun
+{
+namespace
+{
+/** As Float32Domain::FromNumber in each lane. */
+GATUN_INLINE Int4 GetKeys(Float4 numbers)
+{
+  constexpr float largest = std::numeric_limits<float>::max();
+  // NaN and infinity become 0.
+  const Int4 isFinite = (numbers <= largest) & (numbers >= -largest);
+  const Int4 bits = std::bit_cast<Int4>(numbers) & isFinite;
+  return bits ^ ((bits >> 31) | std::numeric_limits<std::int32_t>::min());
+}
+
+/** As Float32Domain::ToNumber in each lane. */
+GATUN_INLINE Float4 GetNumbers(Int4 keys)
+{
+  return std::bit_cast<Float4>(keys ^ ((~keys >> 31) | std::numeric_limits<std::int32_t>::min()));
+}
+
+/** Decodes Count components. */
+template <std::size_t Count>
+class LaneDecoder
+{
+public:
+  LaneDecoder(ByteReader& in, const GateVertices& vertices, std::span<const KeyColumn> columns)
+    : Vertices(vertices)
+    , Columns(columns)
+    , Numbers(vertices.Sources.size())
+  {
+    const std::size_t own = CountOwn(vertices.Sources);
+    for (std::size_t c = 0; c < Count; ++c)
+    {
+      const auto rule = VertexRule::Read(in);
+      const auto weights = ScaleWeights<float>(rule.Weights);
+      for (std::size_t k = 0; k < GateSize; ++k)
+      {
+        this->Weights[k][c] = weights[k];
+      }
+      this->HasCopies = this->HasCopies || rule.Copies;
+      this->Residuals[c].emplace(in, own, Bits, Bits + (rule.Copies ? GateSize : 0));
+    }
+  }
+
+  void Decode()
+  {
+    this->TakeShared();
+    this->HasCopies ? this->DecodeOwn<true>() : this->DecodeOwn<false>();
+  }
+
+private:
+  static constexpr unsigned Bits = 32;
+
+  void TakeShared()
+  {
+    for (std::size_t v = 0; v < this->Numbers.size(); ++v)
+    {
+      if (IsOwn(this->Vertices.Sources[v]))
+      {
+        continue;
+      }
+      Int4 keys{};
+      for (std::size_t c = 0; c < Count; ++c)
+      {
+        keys[c] = static_cast<std::int32_t>(this->Columns[c].First[v * this->Columns[c].Stride]);
+      }
+      this->Numbers[v] = GetNumbers(keys);
+    }
+  }
+
+  /** Where a component's residuals are read. On the stack, because what is stored in keys could
+   * otherwise change it for all that the compiler knows. */
+  struct Cursor
+  {
+    const std::uint8_t* Length;
+    BitReader Stored;
+
+    template <bool Copies>
+    GATUN_INLINE std::int32_t Get()
+    {
+      const unsigned length = *this->Length++;
+      const unsigned stored = Copies && length > Bits ? 0 : length;
+      return static_cast<std::int32_t>(ToSigned(this->Stored.GetNumber(stored)));
+    }
+  };
+  using Cursors = std::array<Cursor, Count>;
+
+  template <std::size_t... Lane>
+  Cursors GetCursors(std::index_sequence<Lane...>) const
+  {
+    return { Cursor{
+      this->Residuals[Lane]->GetLengths(), this->Residuals[Lane]->GetBitReader() }... };
+  }
+
+  template <bool Copies, std::size_t... Lane>
+  GATUN_INLINE static Int4 GetResiduals(Cursors& cursors, std::index_sequence<Lane...>)
+  {
+    return Int4{ cursors[Lane].template Get<Copies>()... };
+  }
+
+  /** Replaces keys by those of vertices of the gate. */
+  Int4 Copy(Int4 keys, PackedTet gate, const Cursors& cursors) const
+  {
+    for (std::size_t c = 0; c < Count; ++c)
+    {
+      const unsigned length = cursors[c].Length[-1]; // that was read
+      if (length > Bits)
+      {
+        const auto from = GetCorner(gate, length - Bits - 1);
+        keys[c] = static_cast<std::int32_t>(this->Columns[c].First[from * this->Columns[c].Stride]);
+      }
+    }
+    return keys;
+  }
+
+  template <bool Copies>
+  void DecodeOwn()
+  {
+    constexpr auto lanes = std::make_index_sequence<Count>();
+    auto cursors = this->GetCursors(lanes);
+    const auto weights = this->Weights;
+    Float4* const numbers = this->Numbers.data();
+    for (std::size_t v = 0; v < this->Numbers.size(); ++v)
+    {
+      if (!IsOwn(this->Vertices.Sources[v]))
+      {
+        continue;
+      }
+      const auto gate = this->Vertices.Gates[v];
+      const Float4 number = ((weights[0] * numbers[GetCorner(gate, 0)] +
+                               weights[1] * numbers[GetCorner(gate, 1)]) +
+                              weights[2] * numbers[GetCorner(gate, 2)]) +
+        weights[3] * numbers[GetCorner(gate, 3)];
+      // Unsigned, as keys wrap around.
+      Int4 keys = std::bit_cast<Int4>(std::bit_cast<UInt4>(GetKeys(number)) +
+        std::bit_cast<UInt4>(GetResiduals<Copies>(cursors, lanes)));
+      if constexpr (Copies)
+      {
+        keys = this->Copy(keys, gate, cursors);
+      }
+      numbers[v] = GetNumbers(keys);
+      for (std::size_t c = 0; c < Count; ++c)
+      {
+        this->Columns[c].First[v * this->Columns[c].Stride] = static_cast<std::uint32_t>(keys[c]);
+      }
+    }
+  }
+
+  const GateVertices& Vertices;
+  const std::span<const KeyColumn> Columns;
+  std::array<Float4, GateSize> Weights{};
+  std::array<std::optional<NumberReader>, Count> Residuals;
+  bool HasCopies = false;
+  std::vector<Float4> Numbers; // of all vertices; 0 of own ones that come later
+};
+}
+
+//------------------------------------------------------------------------------
+void GetVertexLanes(
+  ByteReader& in, const GateVertices& vertices, std::span<const KeyColumn> columns)
+{
+  switch (columns.size())
+  {
+    case 1:
+      LaneDecoder<1>(in, vertices, columns).Decode();
+      break;
+    case 2:
+      LaneDecoder<2>(in, vertices, columns).Decode();
+      break;
+    case 3:
+      LaneDecoder<3>(in, vertices, columns).Decode();
+      break;
+    case MostGateLanes:
+      LaneDecoder<MostGateLanes>(in, vertices, columns).Decode();
+      break;
+    default:
+      break;
+  }
+}
+}
