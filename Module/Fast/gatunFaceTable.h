@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -26,7 +27,7 @@ public:
 
   /** A tetrahedron and, for each of its faces, the only other face with the same corners, or None,
    * or a group of more than two faces. */
-  struct Row
+  struct alignas(32) Row // never in two lines of the cache
   {
     Tet Corners;
     std::array<std::uint32_t, 4> Over;
@@ -42,31 +43,14 @@ public:
     {
       this->Rows[t] = { tets[t], { None, None, None, None } };
     }
-    // Only faces with the same lowest corner are compared.
     const auto start = CountFaces(tets);
-    std::vector<Face> faces(start.back());
-    auto next = start;
-    for (std::size_t face = 0; face < 4 * tets.size(); ++face)
+    if (start.size() <= std::size_t{ 1 } + std::numeric_limits<std::uint16_t>::max())
     {
-      if (!IsDegenerate(tets[face / 4]))
-      {
-        const auto corners = GetSorted(tets, face);
-        faces[next[corners[0]]++] = { std::uint64_t{ corners[1] } << 32 | corners[2],
-          static_cast<std::uint32_t>(face) };
-      }
+      this->FindOver<std::uint32_t>(tets, start);
     }
-    std::vector<std::uint32_t> same;
-    for (std::size_t v = 0; v + 1 < start.size(); ++v)
+    else
     {
-      const std::span bucket(faces.data() + start[v], start[v + 1] - start[v]);
-      if (bucket.size() <= SmallBucket)
-      {
-        this->CompareAll(bucket, same);
-      }
-      else
-      {
-        this->SortAndCompare(bucket, same);
-      }
+      this->FindOver<std::uint64_t>(tets, start);
     }
   }
 
@@ -84,13 +68,15 @@ public:
 private:
   static constexpr std::uint32_t GroupBit = 0x80000000u;
 
-  // Larger buckets are sorted, so that the time does not grow with the square of their size.
-  static constexpr std::size_t SmallBucket = 128;
+  // Larger buckets are sorted, because those that are hashed have numbers below this bit.
+  static constexpr std::uint8_t IsJoined = 0x80;
+  static constexpr std::size_t SmallBucket = IsJoined - 1;
 
-  /** A face in the bucket of its lowest corner. */
+  /** A face in the bucket of its lowest corner. PairT: of the other two corners. */
+  template <typename PairT>
   struct Face
   {
-    std::uint64_t Others; // the other two corners
+    PairT Others;
     std::uint32_t Id;
   };
 
@@ -120,66 +106,112 @@ private:
 
   std::uint32_t& GetOver(std::uint32_t face) { return this->Rows[face / 4].Over[face % 4]; }
 
-  /** Notes two or more faces with the same corners, ascending. */
-  void Join(std::span<const std::uint32_t> faces)
+  /** Compares faces with the same lowest corner. start: of the bucket of each. */
+  template <typename PairT>
+  void FindOver(std::span<const Tet> tets, const std::vector<std::size_t>& start)
   {
-    if (faces.size() == 2)
+    // Numbers of faces begin at 1 in a bucket, so there is one face before the first bucket.
+    std::vector<Face<PairT>> faces(start.back() + 1);
+    auto next = start;
+    for (std::size_t face = 0; face < 4 * tets.size(); ++face)
     {
-      this->GetOver(faces[0]) = faces[1];
-      this->GetOver(faces[1]) = faces[0];
+      if (!IsDegenerate(tets[face / 4]))
+      {
+        const auto corners = GetSorted(tets, face);
+        faces[++next[corners[0]]] = { static_cast<PairT>(
+                                        PairT{ corners[1] } << 4 * sizeof(PairT) | corners[2]),
+          static_cast<std::uint32_t>(face) };
+      }
+    }
+    for (std::size_t v = 0; v + 1 < start.size(); ++v)
+    {
+      const auto size = start[v + 1] - start[v];
+      if (size <= SmallBucket)
+      {
+        this->HashAndCompare(faces.data() + start[v], size);
+      }
+      else
+      {
+        this->SortAndCompare(std::span(faces.data() + start[v] + 1, size));
+      }
+    }
+  }
+
+  /** Notes that a face has the same corners as an earlier one, and as others before if isJoined. */
+  void Join(std::uint32_t earlier, std::uint32_t face, bool isJoined)
+  {
+    const auto over = this->GetOver(earlier);
+    if (!isJoined)
+    {
+      this->GetOver(earlier) = face;
+      this->GetOver(face) = earlier;
       return;
     }
-    const auto group = static_cast<std::uint32_t>(this->Firsts.size());
-    this->Firsts.push_back(faces[0]);
     this->Next.resize(4 * this->Rows.size(), None);
-    for (std::size_t i = 0; i < faces.size(); ++i)
+    auto group = over;
+    if (!IsGroup(over))
     {
-      this->GetOver(faces[i]) = group | GroupBit;
-      this->Next[faces[i]] = i + 1 < faces.size() ? faces[i + 1] : None;
+      group = static_cast<std::uint32_t>(this->Firsts.size()) | GroupBit;
+      this->Firsts.push_back(over);
+      this->Next[over] = earlier;
+      this->GetOver(over) = group;
+      this->GetOver(earlier) = group;
     }
+    this->Next[earlier] = face;
+    this->GetOver(face) = group;
   }
 
-  /** same: scratch. */
-  void CompareAll(std::span<const Face> bucket, std::vector<std::uint32_t>& same)
+  static unsigned Hash(std::uint32_t others) { return others * 0x9e3779b1u >> 24; }
+  static unsigned Hash(std::uint64_t others)
   {
-    for (std::size_t i = 0; i + 1 < bucket.size(); ++i)
+    return static_cast<unsigned>(others * 0x9e3779b97f4a7c15u >> 56);
+  }
+
+  /** bucket: the face before those of a bucket, which are ascending. Hardly any branch is random.
+   */
+  template <typename PairT>
+  void HashAndCompare(const Face<PairT>* bucket, std::size_t size)
+  {
+    std::array<std::uint8_t, 256> slots{}; // the last face with some corners, or 0
+    for (std::size_t i = 1; i <= size; ++i)
     {
-      if (this->GetOver(bucket[i].Id) != None)
+      const auto& face = bucket[i];
+      unsigned slot = Hash(face.Others);
+      const auto find = [&] { return slots[slot] & ~unsigned{ IsJoined }; };
+      while (find() != 0 && bucket[find()].Others != face.Others)
       {
-        continue; // equal to an earlier one
+        slot = (slot + 1) % slots.size();
       }
-      same.assign(1, bucket[i].Id);
-      for (auto j = i + 1; j < bucket.size(); ++j)
+      const auto last = find();
+      const bool isJoined = (slots[slot] & IsJoined) != 0;
+      slots[slot] = static_cast<std::uint8_t>(i | (last != 0 ? IsJoined : 0u));
+      if (isJoined)
       {
-        if (bucket[j].Others == bucket[i].Others)
-        {
-          same.push_back(bucket[j].Id);
-        }
+        this->Join(bucket[last].Id, face.Id, true);
+        continue;
       }
-      if (same.size() > 1)
-      {
-        this->Join(same);
-      }
+      // A face alone is written over itself.
+      const auto earlier = bucket[last != 0 ? last : i].Id;
+      this->GetOver(earlier) = face.Id;
+      this->GetOver(face.Id) = last != 0 ? earlier : None;
     }
   }
 
-  void SortAndCompare(std::span<Face> bucket, std::vector<std::uint32_t>& same)
+  template <typename PairT>
+  void SortAndCompare(std::span<Face<PairT>> bucket)
   {
     std::sort(bucket.begin(), bucket.end(),
-      [](const Face& l, const Face& r)
+      [](const auto& l, const auto& r)
       { return l.Others != r.Others ? l.Others < r.Others : l.Id < r.Id; });
-    for (std::size_t i = 0; i < bucket.size();)
+    bool isJoined = false;
+    for (std::size_t i = 1; i < bucket.size(); ++i)
     {
-      const auto others = bucket[i].Others;
-      same.clear();
-      for (; i < bucket.size() && bucket[i].Others == others; ++i)
+      const bool isSame = bucket[i].Others == bucket[i - 1].Others;
+      if (isSame)
       {
-        same.push_back(bucket[i].Id);
+        this->Join(bucket[i - 1].Id, bucket[i].Id, isJoined);
       }
-      if (same.size() > 1)
-      {
-        this->Join(same);
-      }
+      isJoined = isSame;
     }
   }
 

@@ -3,11 +3,17 @@
 
 #include "gatunFaceTable.h"
 #include "gatunNumberStream.h"
+#include "gatunPrefetch.h"
 #include "gatunTetTree.h"
 #include "gatunTreeSymbols.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace gatun
 {
@@ -16,25 +22,33 @@ namespace
 using namespace TreeSymbols;
 using InputTet = std::array<std::uint32_t, 4>;
 
-/** Whether four corners are an odd permutation of four others. */
-bool IsMirrored(const InputTet& corners, const InputTet& other)
+/** The number of tetrahedra by which the encoder fetches rows ahead. */
+constexpr std::size_t Ahead = 8;
+
+/** No apex has this number. */
+constexpr std::uint16_t NoApex = 0xffff;
+static_assert(TetTree::MaxVertices <= NoApex);
+
+/** The place of a vertex among the corners of a tetrahedron that has it. Without branches. */
+unsigned FindPlace(const InputTet& corners, std::uint32_t vertex)
 {
-  std::array<unsigned, 4> places{};
-  for (unsigned k = 0; k < 4; ++k)
-  {
-    places[k] =
-      static_cast<unsigned>(std::find(other.begin(), other.end(), corners[k]) - other.begin());
-  }
-  bool isOdd = false;
-  for (unsigned k = 0; k < 4; ++k)
-  {
-    for (unsigned j = 0; j < k; ++j)
-    {
-      isOdd = isOdd != (places[j] > places[k]);
-    }
-  }
-  return isOdd;
+  return unsigned{ corners[1] == vertex } | 2 * unsigned{ corners[2] == vertex } |
+    3 * unsigned{ corners[3] == vertex };
 }
+
+/** The ranks of the places where symbols find a vertex, from the first one to try. */
+constexpr auto SymbolsByRank = []
+{
+  std::array<std::uint8_t, 3 * Reach + 1> symbols{};
+  for (unsigned k = 0; k < Reach; ++k)
+  {
+    symbols[k] = static_cast<std::uint8_t>(Before + k);
+    symbols[Reach + 2 * k] = static_cast<std::uint8_t>(BehindParent + k);
+    symbols[Reach + 2 * k + 1] = static_cast<std::uint8_t>(BeforeParent + k);
+  }
+  symbols[std::size_t{ 3 } * Reach] = Far;
+  return symbols;
+}();
 
 class TreeEncoder
 {
@@ -44,11 +58,13 @@ public:
     , Faces(tets)
     , Visits(Faces)
     , Numbers(vertices, Unmet)
+    , Apexes(tets.size() + 2 * PaddedTets::Padding, NoApex)
+    , Masks((tets.size() + 1) / 2, 0)
   {
-    this->Masks.reserve(tets.size());
     this->Classes.reserve(tets.size());
     this->Result.TetOrder.reserve(tets.size());
-    this->Tets.reserve(tets.size());
+    this->Result.Turns.reserve(tets.size());
+    this->Result.Tree.Tets = PaddedTets(tets.size());
     this->Result.Tree.Parents.reserve(tets.size());
     this->Result.Tree.Gates.reserve(vertices);
     this->InputOf.reserve(vertices);
@@ -57,19 +73,20 @@ public:
   EncodedTree Encode()
   {
     const auto count = this->Faces.Rows.size();
-    auto& order = this->Result.TetOrder;
+    const auto& order = this->Result.TetOrder;
     for (std::uint32_t head = 0; head < count; ++head)
     {
       if (head == order.size())
       {
         this->AddRoot(this->Visits.FindFirst());
       }
-      std::uint8_t mask = 0;
+      this->FetchAround(head + Ahead);
+      unsigned mask = 0;
       for (unsigned face = 0; face < FaceCount; ++face)
       {
-        mask |= this->Attach(head, face) ? static_cast<std::uint8_t>(1u << face) : 0;
+        mask |= this->Attach(head, face) ? 1u << face : 0;
       }
-      this->Masks.push_back(mask);
+      this->Masks[head / 2] |= static_cast<std::uint8_t>(mask << head % 2 * 3);
     }
     this->NameShared();
     this->FindFlips();
@@ -78,25 +95,43 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t Unmet = 0xffffffffu;
+  static constexpr std::uint16_t Unmet = NoApex;
 
   std::uint32_t GetNext() const { return static_cast<std::uint32_t>(this->InputOf.size()); }
+
+  /** Begins to load the neighbors of a tetrahedron, if it has been added. */
+  void FetchAround(std::size_t tet) const
+  {
+    if (tet < this->Result.TetOrder.size())
+    {
+      for (const auto over : this->Faces.Rows[this->Result.TetOrder[tet]].Over)
+      {
+        if (!FaceTable::IsGroup(over) && over != FaceTable::None)
+        {
+          Prefetch(&this->Faces.Rows[over / 4]);
+        }
+      }
+    }
+  }
 
   /** Numbers a vertex that was not met before. */
   std::uint32_t Meet(std::uint32_t input, PackedTet gate)
   {
     const auto number = this->GetNext();
-    this->Numbers[input] = number;
+    this->Numbers[input] = static_cast<std::uint16_t>(number);
     this->InputOf.push_back(input);
     this->Result.Tree.Gates.push_back(gate);
     return number;
   }
 
-  void Add(std::uint32_t tet, PackedTet corners, std::uint32_t parent)
+  void Add(std::uint32_t tet, unsigned turn, PackedTet corners, std::uint32_t parent)
   {
+    const auto place = this->Result.TetOrder.size();
     this->Visits.Visit(tet);
     this->Result.TetOrder.push_back(tet);
-    this->Tets.push_back(corners);
+    this->Result.Turns.push_back(static_cast<std::uint8_t>(turn));
+    this->Result.Tree.Tets[place] = corners;
+    this->Apexes[PaddedTets::Padding + place] = static_cast<std::uint16_t>(corners >> 48);
     this->Result.Tree.Parents.push_back(parent);
   }
 
@@ -120,24 +155,30 @@ private:
       }
     }
     ++this->Roots;
-    this->Add(tet, Pack(corners[0], corners[1], corners[2], corners[3]), TetTree::NoTet);
+    this->Add(tet, EncodedTree::NoTurn, Pack(corners[0], corners[1], corners[2], corners[3]),
+      TetTree::NoTet);
   }
 
   /** Attaches the tetrahedron over a face, if there is one. */
   bool Attach(std::uint32_t head, unsigned face)
   {
-    const auto parent = this->Tets[head];
-    const auto& row = this->Faces.Rows[this->Result.TetOrder[head]];
-    const auto opposite = this->InputOf[GetCorner(parent, face)];
-    const auto corner = std::find(row.Corners.begin(), row.Corners.end(), opposite);
-    const auto over =
-      this->Visits.Find(row.Over[static_cast<std::size_t>(corner - row.Corners.begin())]);
+    const auto parentTurn = EncodedTree::GetPlaces(this->Result.Turns[head]);
+    const auto& parentRow = this->Faces.Rows[this->Result.TetOrder[head]];
+    const auto over = this->Visits.Find(parentRow.Over[parentTurn[face]]);
     if (over == FaceTable::None)
     {
       return false;
     }
-    const auto input = this->Faces.Rows[over / 4].Corners[over % 4];
+    const auto& row = this->Faces.Rows[over / 4];
+    const auto place = [&](unsigned corner)
+    { return FindPlace(row.Corners, parentRow.Corners[parentTurn[corner]]); };
+    constexpr std::array<std::array<unsigned, 3>, FaceCount> corners{ { { 1, 2, 3 }, { 2, 0, 3 },
+      { 0, 1, 3 } } };
+    const auto turn =
+      place(corners[face][0]) | place(corners[face][1]) << 2 | place(corners[face][2]) << 4;
+    const auto parent = this->Result.Tree.Tets[head];
     const auto gate = GetFace(parent, FaceShifts[face]);
+    const auto input = row.Corners[over % 4];
     std::uint32_t apex = this->Numbers[input];
     if (apex == Unmet)
     {
@@ -146,41 +187,36 @@ private:
     }
     else
     {
-      const auto symbol = this->FindSymbol(head, apex);
+      const auto symbol = this->FindSymbol(head, static_cast<std::uint16_t>(apex));
       this->Classes.push_back(symbol);
       if (symbol == Far)
       {
         this->Fars.Put(this->GetNext() - 1 - apex);
       }
     }
-    this->Add(over / 4, (gate & LowThree) | PackedTet{ apex } << 48, head);
+    this->Add(over / 4, turn, (gate & LowThree) | PackedTet{ apex } << 48, head);
     return true;
   }
 
-  /** The first symbol that names a vertex as the fourth corner of a near tetrahedron. */
-  std::uint8_t FindSymbol(std::uint32_t parent, std::uint32_t apex) const
+  /** The first symbol that names a vertex as the fourth corner of a near tetrahedron. Without
+   * branches. */
+  std::uint8_t FindSymbol(std::uint32_t parent, std::uint16_t apex) const
   {
-    const auto& tets = this->Tets;
-    const auto here = tets.size();
-    for (unsigned k = 1; k <= Reach && k <= here; ++k)
+    const auto* here = this->Apexes.data() + PaddedTets::Padding + this->Result.TetOrder.size();
+    const auto* around = this->Apexes.data() + PaddedTets::Padding + parent;
+    constexpr std::int16_t none = 3 * Reach;
+    std::int16_t least = none;
+    for (std::int16_t k = 0; k < static_cast<std::int16_t>(Reach); ++k)
     {
-      if (tets[here - k] >> 48 == apex)
-      {
-        return static_cast<std::uint8_t>(Before + k - 1);
-      }
+      // In the order of memory.
+      const auto back = static_cast<std::int16_t>(Reach - 1 - k);
+      const std::int16_t before = here[k - std::ptrdiff_t{ Reach }] == apex ? back : none;
+      const auto behind = static_cast<std::int16_t>(around[k + 1] == apex ? Reach + 2 * k : none);
+      const auto ahead = static_cast<std::int16_t>(
+        around[k - std::ptrdiff_t{ Reach }] == apex ? Reach + 2 * back + 1 : none);
+      least = std::min({ least, before, behind, ahead });
     }
-    for (unsigned k = 1; k <= Reach; ++k)
-    {
-      if (parent + k < here && tets[parent + k] >> 48 == apex)
-      {
-        return static_cast<std::uint8_t>(BehindParent + k - 1);
-      }
-      if (k <= parent && tets[parent - k] >> 48 == apex)
-      {
-        return static_cast<std::uint8_t>(BeforeParent + k - 1);
-      }
-    }
-    return Far;
+    return SymbolsByRank[static_cast<std::size_t>(least)];
   }
 
   void NameShared()
@@ -208,19 +244,14 @@ private:
   /** Marks the tetrahedra that have another orientation than their neighbors. */
   void FindFlips()
   {
-    auto& tree = this->Result.Tree;
-    for (std::size_t t = 0; t < this->Tets.size(); ++t)
+    auto& flips = this->Result.Tree.Flips;
+    const auto& turns = this->Result.Turns;
+    for (std::size_t t = 0; t < turns.size(); ++t)
     {
-      InputTet corners{};
-      for (unsigned k = 0; k < 4; ++k)
+      if (EncodedTree::IsMirrored(turns[t]))
       {
-        corners[k] = this->InputOf[GetCorner(this->Tets[t], k)];
-      }
-      const auto& input = this->Faces.Rows[this->Result.TetOrder[t]].Corners;
-      if (tree.Parents[t] != TetTree::NoTet && IsMirrored(corners, input))
-      {
-        tree.Flips.resize((this->Tets.size() + 7) / 8);
-        tree.Flips[t / 8] |= static_cast<std::uint8_t>(1u << t % 8);
+        flips.resize((turns.size() + 7) / 8);
+        flips[t / 8] |= static_cast<std::uint8_t>(1u << t % 8);
       }
     }
   }
@@ -231,12 +262,7 @@ private:
     ByteWriter out;
     out.Put<std::uint8_t>(tree.Flips.empty() ? 0 : 1);
     out.PutVarint(this->Roots);
-    Bytes masks((this->Masks.size() + 1) / 2, 0);
-    for (std::size_t t = 0; t < this->Masks.size(); ++t)
-    {
-      masks[t / 2] |= static_cast<std::uint8_t>(this->Masks[t] << t % 2 * 3);
-    }
-    PutPacked(out, masks);
+    PutPacked(out, this->Masks);
     PutPacked(out, this->Classes);
     this->Fars.Finish(out);
     this->RootCorners.Finish(out);
@@ -246,17 +272,15 @@ private:
       PutPacked(out, tree.Flips);
     }
     this->Result.Stream = std::move(out.Data);
-    tree.Tets = PaddedTets(this->Tets.size());
-    std::copy(this->Tets.begin(), this->Tets.end(), tree.Tets.data());
   }
 
   const std::uint32_t Shared;
   const FaceTable Faces;
   FaceVisits Visits;
-  std::vector<std::uint32_t> Numbers; // of the input's vertices
+  std::vector<std::uint16_t> Numbers; // of the input's vertices
   std::vector<std::uint32_t> InputOf; // of the numbers
-  std::vector<PackedTet> Tets;
-  Bytes Masks; // the faces with children of each tetrahedron
+  std::vector<std::uint16_t> Apexes;  // the fourth corners of tetrahedra, with padding
+  Bytes Masks;                        // the faces with children of two tetrahedra each
   Bytes Classes;
   NumberWriter Fars;
   NumberWriter RootCorners;

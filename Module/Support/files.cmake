@@ -12,6 +12,7 @@ gatun_core_folder(Support
     gatunFraming.h
     gatunPageArray.h
     gatunParallel.h
+    gatunPrefetch.h
     gatunPrintable.h
     gatunValueHistogram.h
   PRIVATE_HEADERS

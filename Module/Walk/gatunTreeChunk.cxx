@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,23 @@ void SetWalk(TetTree&& tree, Topology& walk)
   walk.Parents = std::move(tree.Parents);
   walk.Sources = std::move(tree.Sources);
   walk.Gates = std::move(tree.Gates);
+}
+
+/** For each of EncodedTree::Turns the rotation that restores the input's corners. */
+std::array<std::uint8_t, 64> MakeRotations()
+{
+  std::array<std::uint8_t, 64> rotations{};
+  for (unsigned turn = 0; turn < rotations.size(); ++turn)
+  {
+    auto walked = EncodedTree::GetPlaces(turn);
+    if (EncodedTree::IsMirrored(turn))
+    {
+      std::swap(walked[2], walked[3]);
+    }
+    bool isMirrored = false;
+    rotations[turn] = FindRotation(walked, { 0, 1, 2, 3 }, isMirrored);
+  }
+  return rotations;
 }
 
 /** The keys of one axis. */
@@ -97,16 +115,8 @@ EncodedChunk EncodeTreeChunk(const ChunkFrame& frame,
     mesh.Keys[v] = input < shared ? frame.SharedKeys[input] : ownKeys[input - shared];
   }
   result.Corners.resize(tets.size());
-  for (std::size_t t = 0; t < tets.size(); ++t)
-  {
-    std::array<std::uint32_t, 4> corners{};
-    for (unsigned k = 0; k < 4; ++k)
-    {
-      corners[k] = inputOf(GetCorner(walk.Packed[t], k));
-    }
-    bool isMirrored = false;
-    result.Corners[t] = FindRotation(corners, tets[result.TetOrder[t]], isMirrored);
-  }
+  std::transform(tree.Turns.begin(), tree.Turns.end(), result.Corners.begin(),
+    [rotations = MakeRotations()](std::uint8_t turn) { return rotations[turn]; });
   ByteWriter geometry;
   for (unsigned axis = 0; axis < 3; ++axis)
   {
