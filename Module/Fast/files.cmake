@@ -1,16 +1,30 @@
-# Fast: the fast coder, of tetrahedra in the order of a tree and of values by what is around them.
+# Fast: the fast coder, of tetrahedra in the order of a tree, of other cells by templates, and of
+# values by what is around them.
 gatun_core_folder(Fast
   INCLUDES
     Support
+    Cells
     Coding
   PRIVATE_HEADERS
+    gatunCellGates.h
+    gatunCellRows.h
+    gatunCellTemplates.h
+    gatunCellTree.h
+    gatunFaceOrder.h
     gatunFaceTable.h
     gatunGateValues.h
     gatunNumberStream.h
     gatunPackedBytes.h
     gatunTetTree.h
     gatunTreeSymbols.h
+    gatunVertexNames.h
   SOURCES
+    gatunCellGates.cxx
+    gatunCellRows.cxx
+    gatunCellTemplates.cxx
+    gatunCellTreeDecoder.cxx
+    gatunCellTreeEncoder.cxx
+    gatunFaceOrder.cxx
     gatunGateValues.cxx
     gatunPackedBytes.cxx
     gatunTreeDecoder.cxx

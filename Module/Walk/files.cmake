@@ -14,6 +14,7 @@ gatun_core_folder(Walk
     gatunCellGeometry.h
     gatunCellListCoder.h
     gatunCellRules.h
+    gatunCellTreeChunk.h
     gatunChunkCodec.h
     gatunChunkMesh.h
     gatunChunkPlaces.h
@@ -60,6 +61,7 @@ gatun_core_folder(Walk
     gatunCellCodec.cxx
     gatunCellCorners.cxx
     gatunCellGeometry.cxx
+    gatunCellTreeChunk.cxx
     gatunChunkMesh.cxx
     gatunChunkTets.cxx
     gatunEncoderMarks.cxx
