@@ -8,8 +8,11 @@ gatun_core_folder(Fast
   PRIVATE_HEADERS
     gatunCellGates.h
     gatunCellRows.h
+    gatunCellSources.h
     gatunCellTemplates.h
     gatunCellTree.h
+    gatunCellTreeWriter.h
+    gatunCodedCells.h
     gatunFaceOrder.h
     gatunFaceTable.h
     gatunGateValues.h
@@ -21,9 +24,11 @@ gatun_core_folder(Fast
   SOURCES
     gatunCellGates.cxx
     gatunCellRows.cxx
+    gatunCellSources.cxx
     gatunCellTemplates.cxx
     gatunCellTreeDecoder.cxx
     gatunCellTreeEncoder.cxx
+    gatunCellTreeWriter.cxx
     gatunFaceOrder.cxx
     gatunGateValues.cxx
     gatunPackedBytes.cxx

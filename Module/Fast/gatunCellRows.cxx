@@ -87,9 +87,8 @@ private:
       [&](std::uint32_t other)
       {
         const auto corners = this->GetCorners(other);
-        const bool touches =
-          std::find_first_of(corners.begin(), corners.end(), touched.begin(), touched.end()) !=
-          corners.end();
+        const bool touches = std::find_first_of(corners.begin(), corners.end(), touched.begin(),
+                               touched.end()) != corners.end();
         found = touches ? None : other;
         return touches;
       });

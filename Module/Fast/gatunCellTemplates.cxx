@@ -56,8 +56,8 @@ bool IsKnownPlace(const CellTemplate& item, unsigned place, unsigned w)
 void WriteItem(ByteWriter& out, const CellTemplate& item, const CellTemplates& all)
 {
   out.Put(item.Type);
-  out.Put(static_cast<std::uint8_t>((item.KnowsSources ? FlagKnowsSources : 0) |
-    (item.IsSized ? FlagIsSized : 0)));
+  out.Put(static_cast<std::uint8_t>(
+    (item.KnowsSources ? FlagKnowsSources : 0) | (item.IsSized ? FlagIsSized : 0)));
   out.Put(static_cast<std::uint8_t>(item.Head | item.Sources << 4));
   out.PutBytes(std::span(item.From).first(item.Head));
   for (unsigned w = 0; w < item.News; ++w)
@@ -141,6 +141,7 @@ void ReadItem(ByteReader& in, CellTemplates& all)
     item.Hidden = GetNumber(in, item.Rest);
     item.Pattern = GetNumber(in, MostCorners);
   }
+  item.IsPlain = item.Rest == 0 && !item.IsSized && item.Pattern == CellTemplate::NoPattern;
   all.Items.push_back(item);
 }
 

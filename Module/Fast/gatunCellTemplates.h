@@ -40,30 +40,28 @@ struct CellTemplate
   static constexpr unsigned MaxRestGates = 24;
   static constexpr std::uint8_t Before = 255; // in such a gate: the vertex that came before
 
+  static constexpr std::uint8_t Escape = 255; // of bytes whose number follows elsewhere
+
   static constexpr std::uint32_t NoPattern = 0xffffffffu;
 
   using Gate = std::array<std::uint8_t, 4>;
 
   std::array<std::uint8_t, MaxHead> From{ Nothing, Nothing, Nothing, Nothing, Nothing, Nothing,
-    Nothing, Nothing };                 // the place of each corner of the head
-  std::array<Gate, MaxHead> Gates{};    // the places of the gate of each new vertex of the head
-  std::uint8_t Type = 0;                // of the cell
-  std::uint8_t Head = 0;                // corners
-  std::uint8_t Sources = 0;             // that are used
-  std::uint8_t News = 0;                // of the head
-  std::uint8_t Fars = 0;                // of the head
-  bool KnowsSources = true;             // each follows the one that the cell before had
-  bool IsSized = false;                 // the number of corners of the rest follows
-  std::uint8_t RestGateCount = 0;       // gates of the rest
-  std::uint32_t Rest = 0;               // corners of the rest
-  std::uint32_t Hidden = 0;             // of them, points that only faces have, the last ones
-  std::uint32_t Pattern = NoPattern;    // of the faces, if it is a polyhedron
-  std::uint32_t FirstRestGate = 0;      // in CellTemplates
-
-  bool IsPlain() const
-  {
-    return this->Rest == 0 && !this->IsSized && this->Pattern == NoPattern;
-  }
+    Nothing, Nothing };              // the place of each corner of the head
+  std::array<Gate, MaxHead> Gates{}; // the places of the gate of each new vertex of the head
+  std::uint8_t Type = 0;             // of the cell
+  std::uint8_t Head = 0;             // corners
+  std::uint8_t Sources = 0;          // that are used
+  std::uint8_t News = 0;             // of the head
+  std::uint8_t Fars = 0;             // of the head
+  bool KnowsSources = true;          // each follows the one that the cell before had
+  bool IsSized = false;              // the number of corners of the rest follows
+  bool IsPlain = false;              // there is only a head
+  std::uint8_t RestGateCount = 0;    // gates of the rest
+  std::uint32_t Rest = 0;            // corners of the rest
+  std::uint32_t Hidden = 0;          // of them, points that only faces have, the last ones
+  std::uint32_t Pattern = NoPattern; // of the faces, if it is a polyhedron
+  std::uint32_t FirstRestGate = 0;   // in CellTemplates
 
   /** Counts the new and the far vertices of the head. Returns whether they come in order. */
   bool Count();

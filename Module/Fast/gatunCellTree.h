@@ -5,7 +5,7 @@
 #define gatunCellTree_h
 
 // Cells of any type whose corners are copied from earlier cells, as templates say. See
-// Documentation/cell-codec.md, 9.
+// Documentation/cell-codec.md, 10.
 
 #include "gatunBytes.h"
 #include "gatunCellList.h"

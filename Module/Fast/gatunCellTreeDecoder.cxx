@@ -7,6 +7,7 @@
 #include "gatunCellShapes.h"
 #include "gatunCellTemplates.h"
 #include "gatunCellTree.h"
+#include "gatunInline.h"
 #include "gatunNumberStream.h"
 #include "gatunTreeSymbols.h"
 #include "gatunVertexNames.h"
@@ -56,7 +57,20 @@ private:
   static constexpr unsigned NumberBits = 17; // of vertices
   static constexpr unsigned CellBits = 21;
   static constexpr unsigned CornerBits = 25;
-  static constexpr std::uint8_t Escape = 255;
+  static constexpr auto Escape = CellTemplate::Escape;
+
+  /** Where the walk is. */
+  struct Position
+  {
+    const std::uint8_t* Difference = nullptr;
+    const std::uint32_t* Distance = nullptr;
+    const std::uint16_t* Far = nullptr;
+    std::array<std::uint32_t, CellTemplate::MaxSources> From{ TetTree::NoTet, TetTree::NoTet,
+      TetTree::NoTet };
+    std::uint32_t Next = 0;   // vertices so far
+    std::uint32_t Corner = 0; // corners so far
+    std::uint32_t Bad = 0;
+  };
 
   void ReadTemplates()
   {
@@ -149,6 +163,12 @@ private:
       ThrowCorrupt("a chunk has another number of vertices than its cells");
     }
     this->RestFars = this->ReadList<std::uint16_t>(fars, 16);
+    this->At.Difference = this->Differences.data();
+    this->At.Distance = this->Distances.data();
+    this->At.Far = this->Fars.data();
+    this->RestSize = this->Sizes.data();
+    this->Symbol = this->Symbols.data();
+    this->RestFar = this->RestFars.data();
   }
 
   /** Reads numbers, with one of 0 behind them that may be looked at. */
@@ -181,32 +201,21 @@ private:
       cells.FaceStarts.resize(std::size_t{ count } + 1);
       cells.Faces.reserve(this->Size.FaceValues);
     }
-    this->Difference = this->Differences.data();
-    this->Distance = this->Distances.data();
-    this->Far = this->Fars.data();
-    this->RestSize = this->Sizes.data();
-    this->Symbol = this->Symbols.data();
-    this->RestFar = this->RestFars.data();
-    const auto* const items = this->Templates.Items.data();
-    const auto* const ids = this->Ids.data();
-    for (std::uint32_t i = 0; i < count; ++i)
+    for (std::uint32_t i = 0; i < count;)
     {
-      const auto& item = items[ids[i]];
-      this->FindSources(item, i);
-      this->MakeHead(item, i);
-      if (!item.IsPlain())
-      {
-        this->MakeRest(item, i);
-      }
-      cells.Types[i] = item.Type;
-      cells.Starts[i + 1] = this->Corner;
-      this->Tree.Parents[i] = item.Sources > 0 ? this->From[0] : TetTree::NoTet;
+      const auto end = this->MakePlain(i);
       if (this->All.HasFaces)
       {
-        this->MakeFaces(item, i);
+        std::fill(cells.FaceStarts.begin() + i + 1, cells.FaceStarts.begin() + end + 1,
+          static_cast<std::uint32_t>(cells.Faces.size()));
+      }
+      i = end;
+      if (i < count)
+      {
+        this->MakeListed(i++);
       }
     }
-    if (this->Bad != 0)
+    if (this->At.Bad != 0)
     {
       ThrowCorrupt("a chunk names a cell or a vertex that it does not have");
     }
@@ -214,10 +223,38 @@ private:
     this->Tree.Gates.resize(this->Size.Vertices);
   }
 
-  /** Finds the earlier cells from which corners are copied. */
-  void FindSources(const CellTemplate& item, std::uint32_t i)
+  /** Makes the cells from one on that have nothing but a head. Returns the next one. */
+  std::uint32_t MakePlain(std::uint32_t first)
   {
-    for (auto& from : this->From)
+    const auto* const items = this->Templates.Items.data();
+    const auto* const ids = this->Ids.data();
+    auto at = this->At; // compilers keep it in registers
+    auto i = first;
+    for (; i < this->Size.Cells && items[ids[i]].IsPlain; ++i)
+    {
+      this->MakeHead(at, items[ids[i]], i);
+    }
+    this->At = at;
+    return i;
+  }
+
+  /** Makes a cell with more. */
+  void MakeListed(std::uint32_t i)
+  {
+    const auto& item = this->Templates.Items[this->Ids[i]];
+    this->MakeHead(this->At, item, i);
+    this->MakeRest(item, i);
+    this->Tree.Cells.Starts[i + 1] = this->At.Corner;
+    if (this->All.HasFaces)
+    {
+      this->MakeFaces(item, i);
+    }
+  }
+
+  /** Finds the earlier cells from which corners are copied. */
+  GATUN_INLINE static void FindSources(Position& at, const CellTemplate& item, std::uint32_t i)
+  {
+    for (auto& from : at.From)
     {
       ++from;
     }
@@ -225,101 +262,108 @@ private:
     {
       for (unsigned s = 0; s < item.Sources; ++s)
       {
-        const auto code = *this->Difference++;
-        this->From[s] = code == Escape
-          ? i - 1 - *this->Distance++
-          : this->From[s] + static_cast<std::uint32_t>(ToSigned(code));
+        const auto code = *at.Difference++;
+        at.From[s] = code == Escape ? i - 1 - *at.Distance++
+                                    : at.From[s] + static_cast<std::uint32_t>(ToSigned(code));
       }
     }
     for (unsigned s = 0; s < CellTemplate::MaxSources; ++s)
     {
-      this->Bad |= static_cast<std::uint32_t>(s < item.Sources) &
-        static_cast<std::uint32_t>(this->From[s] >= i);
+      at.Bad |=
+        static_cast<std::uint32_t>(s < item.Sources) & static_cast<std::uint32_t>(at.From[s] >= i);
     }
   }
 
-  /** Makes the head, and the gates of its new vertices. */
-  void MakeHead(const CellTemplate& item, std::uint32_t i)
+  using PlaceList = std::array<std::uint16_t, CellTemplate::Places>;
+
+  /** Collects the vertices that the head and the gates of a cell may name. */
+  GATUN_INLINE void FindPlaces(
+    Position& at, const CellTemplate& item, std::uint32_t i, PlaceList& places) const
   {
-    std::array<std::uint16_t, CellTemplate::Places> places;
-    static_assert(sizeof(Row) == 2 * sizeof(PackedTet));
+    const auto* const rows = this->Rows.data();
     for (unsigned s = 0; s < CellTemplate::MaxSources; ++s)
     {
       // The row of this cell itself is empty.
-      const auto& row = this->Rows[std::min(this->From[s], i)];
-      std::copy(row.begin(), row.end(), places.begin() + s * CellTemplate::MaxHead);
+      const auto& row = rows[std::min(at.From[s], i)];
+      std::memcpy(places.data() + s * CellTemplate::MaxHead, row.data(), sizeof(row));
     }
     for (unsigned k = 0; k < CellTemplate::MaxHead; ++k)
     {
-      places[CellTemplate::New + k] = static_cast<std::uint16_t>(this->Next + k);
-      places[CellTemplate::Far + k] = 0;
+      places[CellTemplate::New + k] = static_cast<std::uint16_t>(at.Next + k);
     }
     places[CellTemplate::Nothing] = 0;
     for (unsigned k = 0; k < item.Fars; ++k)
     {
-      const std::uint32_t distance = *this->Far++;
-      this->Bad |= static_cast<std::uint32_t>(distance >= this->Next);
-      places[CellTemplate::Far + k] = static_cast<std::uint16_t>(this->Next - 1 - distance);
+      const std::uint32_t distance = *at.Far++;
+      at.Bad |= static_cast<std::uint32_t>(distance >= at.Next);
+      places[CellTemplate::Far + k] = static_cast<std::uint16_t>(at.Next - 1 - distance);
     }
-    const auto at = [&](unsigned k) { return PackedTet{ places[item.From[k]] }; };
-    const std::array<PackedTet, 2> halves{ at(0) | at(1) << 16 | at(2) << 32 | at(3) << 48,
-      at(4) | at(5) << 16 | at(6) << 32 | at(7) << 48 };
-    std::memcpy(this->Rows[i].data(), halves.data(), sizeof(halves));
-    auto* const corners = this->Tree.Cells.Corners.data() + this->Corner;
-    for (unsigned k = 0; k < 2; ++k)
+  }
+
+  /** Makes a cell with the corners of its head, and the gates of new vertices among them. */
+  GATUN_INLINE void MakeHead(Position& at, const CellTemplate& item, std::uint32_t i)
+  {
+    PlaceList places;
+    FindSources(at, item, i);
+    this->FindPlaces(at, item, i, places);
+    auto& cells = this->Tree.Cells;
+    auto* const row = this->Rows[i].data();
+    auto* const corners = cells.Corners.data() + at.Corner;
+    for (unsigned k = 0; k < CellTemplate::MaxHead; ++k)
     {
-      corners[4 * k] = GetCorner(halves[k], 0);
-      corners[4 * k + 1] = GetCorner(halves[k], 1);
-      corners[4 * k + 2] = GetCorner(halves[k], 2);
-      corners[4 * k + 3] = GetCorner(halves[k], 3);
+      row[k] = places[item.From[k]];
+      corners[k] = places[item.From[k]];
     }
-    this->Corner += item.Head;
-    auto* gate = this->Tree.Gates.data() + this->Next;
+    auto* gate = this->Tree.Gates.data() + at.Next;
     for (unsigned w = 0; w < item.News; ++w)
     {
       const auto& from = item.Gates[w];
       *gate++ =
         TreeSymbols::Pack(places[from[0]], places[from[1]], places[from[2]], places[from[3]]);
     }
-    this->Next += item.News;
+    at.Next += item.News;
+    at.Corner += item.Head;
+    cells.Types[i] = item.Type;
+    cells.Starts[i + 1] = at.Corner;
+    this->Tree.Parents[i] = item.Sources > 0 ? at.From[0] : TetTree::NoTet;
   }
 
   /** Makes the corners behind the head. */
   void MakeRest(const CellTemplate& item, std::uint32_t i)
   {
     auto& cells = this->Tree.Cells;
-    const auto first = this->Corner - item.Head;
+    const auto first = this->At.Corner - item.Head;
     const auto rest = item.IsSized ? *this->RestSize++ : item.Rest;
     this->Hidden.clear();
     for (std::uint32_t k = 0; k < rest; ++k)
     {
       const auto symbol = *this->Symbol++;
-      auto vertex = this->Next;
+      auto vertex = this->At.Next;
       if (symbol == CellTemplate::NewSymbol)
       {
-        this->Tree.Gates[this->Next++] = this->FindRestGate(item, first, k);
+        this->Tree.Gates[this->At.Next++] = this->FindRestGate(item, first, k);
       }
       else if (symbol == CellTemplate::FarSymbol)
       {
-        vertex = this->Next - 1 - *this->RestFar++;
+        vertex = this->At.Next - 1 - *this->RestFar++;
       }
       else
       {
         vertex = this->FindNear(item, symbol - CellTemplate::NearSymbol, i);
       }
-      const bool isBad = vertex >= this->Next;
-      this->Bad |= static_cast<std::uint32_t>(isBad);
+      const bool isBad = vertex >= this->At.Next;
+      this->At.Bad |= static_cast<std::uint32_t>(isBad);
       vertex = isBad ? 0 : vertex;
       if (k < rest - item.Hidden)
       {
-        cells.Corners[this->Corner++] = vertex;
+        cells.Corners[this->At.Corner++] = vertex;
       }
       else
       {
         this->Hidden.push_back(vertex);
       }
     }
-    const auto known = std::min<std::size_t>(CellTemplate::MaxHead, this->Corner - first);
+    const auto known = std::min<std::size_t>(CellTemplate::MaxHead, this->At.Corner - first);
     std::copy_n(cells.Corners.begin() + first, known, this->Rows[i].begin());
   }
 
@@ -328,7 +372,7 @@ private:
   {
     const auto& cells = this->Tree.Cells;
     const auto source = number / CellTemplate::NearCorners;
-    const auto from = std::min(this->From[source], i);
+    const auto from = std::min(this->At.From[source], i);
     const auto corner = cells.Starts[from] + number % CellTemplate::NearCorners;
     const bool isThere = source < item.Sources && from < i && corner < cells.Starts[from + 1];
     return isThere ? cells.Corners[corner] : this->Size.Vertices; // which is rejected
@@ -337,12 +381,12 @@ private:
   PackedTet FindRestGate(const CellTemplate& item, std::uint32_t first, std::uint32_t k) const
   {
     const auto* const corners = this->Tree.Cells.Corners.data();
-    const auto before = this->Next > 0 ? this->Next - 1 : 0;
-    const auto known = this->Corner - first; // corners
+    const auto before = this->At.Next > 0 ? this->At.Next - 1 : 0;
+    const auto known = this->At.Corner - first; // corners
     if (k >= item.RestGateCount)
     {
-      const auto last = known > 0 ? corners[this->Corner - 1] : before;
-      const auto other = known > 1 ? corners[this->Corner - 2] : last;
+      const auto last = known > 0 ? corners[this->At.Corner - 1] : before;
+      const auto other = known > 1 ? corners[this->At.Corner - 2] : last;
       return TreeSymbols::Pack(last, last, other, other);
     }
     const auto at = [&](std::uint8_t place)
@@ -358,7 +402,7 @@ private:
     {
       const auto& pattern = this->Templates.Patterns[item.Pattern];
       const auto* const corners = cells.Corners.data() + cells.Starts[i];
-      const auto points = this->Corner - cells.Starts[i];
+      const auto points = this->At.Corner - cells.Starts[i];
       for (std::size_t k = 0; k < pattern.Values.size(); ++k)
       {
         const auto value = pattern.Values[k];
@@ -386,18 +430,10 @@ private:
   std::vector<Row> Rows; // the first corners of each cell
   std::vector<std::uint32_t> Hidden;
 
-  // Where the walk is.
-  const std::uint8_t* Difference = nullptr;
-  const std::uint32_t* Distance = nullptr;
-  const std::uint16_t* Far = nullptr;
+  Position At;
   const std::uint32_t* RestSize = nullptr;
   const std::uint8_t* Symbol = nullptr;
   const std::uint16_t* RestFar = nullptr;
-  std::array<std::uint32_t, CellTemplate::MaxSources> From{ TetTree::NoTet, TetTree::NoTet,
-    TetTree::NoTet };
-  std::uint32_t Next = 0;   // vertices so far
-  std::uint32_t Corner = 0; // corners so far
-  std::uint32_t Bad = 0;
 };
 }
 

@@ -4,10 +4,12 @@
 #include "gatunCellGates.h"
 #include "gatunCellRows.h"
 #include "gatunCellShapes.h"
+#include "gatunCellSources.h"
 #include "gatunCellTemplates.h"
 #include "gatunCellTree.h"
+#include "gatunCellTreeWriter.h"
+#include "gatunCodedCells.h"
 #include "gatunFaceOrder.h"
-#include "gatunNumberStream.h"
 #include "gatunVertexNames.h"
 
 #include <algorithm>
@@ -19,9 +21,8 @@ namespace gatun
 namespace
 {
 using Ids = std::vector<std::uint32_t>;
-using SourceCells = std::array<std::uint32_t, CellTemplate::MaxSources>;
 
-constexpr std::uint32_t Unmet = 0xffffffffu;
+constexpr auto Unmet = CodedCells::None;
 
 /** What distinguishes templates before they have gates. */
 struct TemplateKey
@@ -34,31 +35,23 @@ struct TemplateKey
   auto operator<=>(const TemplateKey&) const = default;
 };
 
-/** A cell as it is coded. */
-struct CodedCell
+/** The template of a cell with a head and without. */
+struct KeyChoice
 {
-  std::uint32_t First = 0; // of its points
-  std::uint32_t Points = 0;
-  std::uint32_t Hidden = 0;
-  std::uint32_t Next = 0; // the vertices before it
-  SourceCells From{};
-  std::uint32_t Key = 0; // with the head, and without
-  std::uint32_t ListKey = 0;
-  bool HasHead = false;
+  std::uint32_t WithHead = 0;
+  std::uint32_t List = 0;
 };
 
 class CellTreeEncoder
 {
 public:
-  CellTreeEncoder(
-    const CellList& cells, std::uint32_t shared, std::span<const TreePlace> places)
+  CellTreeEncoder(const CellList& cells, std::uint32_t shared, std::span<const TreePlace> places)
     : Cells(cells)
     , Shared(shared)
     , Places(places)
     , Users(cells, places.size())
-    , Ranks(cells.GetNumber(), Unmet)
-    , Common(cells.GetNumber(), 0)
     , Numbers(places.size(), Unmet)
+    , Finder(cells.GetNumber(), this->Coded, this->Users, this->Numbers)
   {
   }
 
@@ -66,7 +59,8 @@ public:
   {
     auto& order = this->Result.CellOrder;
     order = FindCellRows(this->Cells, this->Users);
-    this->Coded.reserve(order.size());
+    this->Coded.Items.reserve(order.size());
+    this->KeysOf.reserve(order.size());
     for (const auto cell : order)
     {
       this->Add(cell);
@@ -87,7 +81,7 @@ private:
   void Add(std::uint32_t cell)
   {
     CodedCell coded;
-    coded.First = static_cast<std::uint32_t>(this->Points.size());
+    coded.First = static_cast<std::uint32_t>(this->Coded.Points.size());
     coded.Next = this->GetNext();
     std::uint32_t pattern = CellTemplate::NoPattern;
     const auto type = this->Cells.Types[cell];
@@ -105,27 +99,26 @@ private:
     coded.Points = static_cast<std::uint32_t>(points.size());
     const auto head = FindHead(type, points.size());
     const auto sources =
-      this->FindSources(cell, points, head > 0 ? CellTemplate::MaxHead : CellTemplate::NearCorners);
+      this->Finder.Find(cell, points, head > 0 ? CellTemplate::MaxHead : CellTemplate::NearCorners);
     TemplateKey key{};
     key.Type = type;
     key.Sources = static_cast<std::uint8_t>(sources);
-    key.KnowsSources = this->AreKnown(sources);
+    key.KnowsSources = this->Finder.AreKnown;
     key.Hidden = coded.Hidden;
     key.Pattern = pattern;
-    coded.From = this->From;
-    this->Ranks[cell] = static_cast<std::uint32_t>(this->Coded.size());
-    this->SetList(key, points.size(), 0);
-    coded.ListKey = this->FindKey(key);
+    coded.From = this->Finder.From;
+    KeyChoice keys;
+    SetList(key, points.size(), 0);
+    keys.List = this->FindKey(key);
     this->SetHead(key, points.first(head), sources);
-    this->SetList(key, points.size(), head);
-    coded.Key = this->FindKey(key);
-    coded.HasHead = head > 0;
+    SetList(key, points.size(), head);
+    keys.WithHead = this->FindKey(key);
+    this->KeysOf.push_back(keys);
     for (const auto point : points)
     {
-      this->Points.push_back(this->Meet(point));
+      this->Coded.Points.push_back(this->Meet(point));
     }
-    this->Coded.push_back(coded);
-    this->LastFrom = coded.From;
+    this->Coded.Items.push_back(coded);
   }
 
   /** The number of corners that a template may copy. */
@@ -174,19 +167,15 @@ private:
       }
       const auto number = this->Numbers[head[k]];
       const auto near = number != Unmet
-        ? this->FindNear(number, this->From, sources, CellTemplate::MaxHead)
+        ? this->Coded.FindNear(number, this->Finder.From, sources, CellTemplate::MaxHead)
         : Unmet;
-      key.From[k] = static_cast<std::uint8_t>(near != Unmet
-          ? near
-          : number == Unmet ? CellTemplate::New + news++
-                            : CellTemplate::Far + fars++);
+      key.From[k] = static_cast<std::uint8_t>(near != Unmet ? near
+          : number == Unmet                                 ? CellTemplate::New + news++
+                                                            : CellTemplate::Far + fars++);
     }
   }
 
-  std::uint32_t GetNext() const
-  {
-    return static_cast<std::uint32_t>(this->Result.InputOf.size());
-  }
+  std::uint32_t GetNext() const { return static_cast<std::uint32_t>(this->Result.InputOf.size()); }
 
   std::uint32_t Meet(std::uint32_t input)
   {
@@ -197,30 +186,6 @@ private:
       this->Result.InputOf.push_back(input);
     }
     return number;
-  }
-
-  /** The corners of a coded cell, by the numbers of its vertices. */
-  std::span<const std::uint32_t> GetCorners(std::uint32_t rank) const
-  {
-    const auto& cell = this->Coded[rank];
-    return std::span(this->Points).subspan(cell.First, cell.Points - cell.Hidden);
-  }
-
-  /** Where a vertex is among the first corners of sources, reach each. */
-  std::uint32_t FindNear(
-    std::uint32_t number, const SourceCells& from, unsigned sources, std::size_t reach) const
-  {
-    for (unsigned s = 0; s < sources; ++s)
-    {
-      const auto corners = this->GetCorners(from[s]);
-      const auto first = corners.first(std::min(corners.size(), reach));
-      const auto found = std::find(first.begin(), first.end(), number);
-      if (found != first.end())
-      {
-        return static_cast<std::uint32_t>(s * reach + static_cast<std::size_t>(found - first.begin()));
-      }
-    }
-    return Unmet;
   }
 
   std::uint32_t FindPattern(const Ids& values)
@@ -246,148 +211,23 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Sources
-
-  /** Finds the sources of a cell. Sets From, and returns their number. */
-  unsigned FindSources(
-    std::uint32_t cell, std::span<const std::uint32_t> points, std::size_t reach)
-  {
-    for (unsigned s = 0; s < this->From.size(); ++s)
-    {
-      this->From[s] = this->LastFrom[s] + 1;
-    }
-    this->Known.clear();
-    for (const auto point : CellUsers::GetFirst(points))
-    {
-      const auto number = this->Numbers[point];
-      if (number != Unmet &&
-        std::find(this->Known.begin(), this->Known.end(), number) == this->Known.end())
-      {
-        this->Known.push_back(number);
-      }
-    }
-    const auto expected = this->From;
-    auto open = this->Known;
-    unsigned used = 0; // of the expected ones
-    for (unsigned s = 0; s < expected.size() && !open.empty(); ++s)
-    {
-      used = this->Cover(open, expected[s], reach) > 0 ? s + 1 : used;
-    }
-    const auto openOfExpected = open.size();
-    this->FindNearCells(cell, points);
-    open = this->Known;
-    unsigned count = 0;
-    SourceCells best{};
-    while (count < best.size() && !open.empty())
-    {
-      const auto source = this->FindBest(open, expected[count], reach);
-      if (source == Unmet)
-      {
-        break;
-      }
-      this->Cover(open, source, reach);
-      best[count++] = source;
-    }
-    if (openOfExpected <= open.size())
-    {
-      return used;
-    }
-    std::copy_n(best.begin(), count, this->From.begin());
-    return count;
-  }
-
-  bool AreKnown(unsigned sources) const
-  {
-    bool areKnown = true;
-    for (unsigned s = 0; s < sources; ++s)
-    {
-      areKnown = areKnown && this->From[s] == this->LastFrom[s] + 1;
-    }
-    return areKnown;
-  }
-
-  /** Collects coded cells around a cell: those with the most corners in common first, of these the
-   * last ones. */
-  void FindNearCells(std::uint32_t cell, std::span<const std::uint32_t> points)
-  {
-    this->Near.clear();
-    Ids cells;
-    for (const auto point : CellUsers::GetFirst(points))
-    {
-      for (const auto other : this->Users.Get(point))
-      {
-        if (other != cell && this->Ranks[other] != Unmet && this->Common[other]++ == 0)
-        {
-          cells.push_back(other);
-        }
-      }
-    }
-    for (const auto other : cells)
-    {
-      this->Near.emplace_back(std::exchange(this->Common[other], 0), this->Ranks[other]);
-    }
-    std::sort(this->Near.rbegin(), this->Near.rend());
-  }
-
-  /** The cell that has most of the open vertices. */
-  std::uint32_t FindBest(const Ids& open, std::uint32_t expected, std::size_t reach) const
-  {
-    std::uint32_t best = Unmet;
-    std::size_t most = 0;
-    for (const auto& [common, rank] : this->Near)
-    {
-      if (common < most || most == open.size())
-      {
-        break;
-      }
-      const auto count = this->CountCovered(open, rank, reach);
-      if (count > most || (count == most && count > 0 && rank == expected))
-      {
-        most = count;
-        best = rank;
-      }
-    }
-    return best;
-  }
-
-  bool IsCovered(std::uint32_t number, std::uint32_t rank, std::size_t reach) const
-  {
-    const auto corners = this->GetCorners(rank);
-    const auto end = corners.begin() + static_cast<std::ptrdiff_t>(std::min(corners.size(), reach));
-    return std::find(corners.begin(), end, number) != end;
-  }
-
-  std::size_t CountCovered(const Ids& open, std::uint32_t rank, std::size_t reach) const
-  {
-    return static_cast<std::size_t>(std::count_if(open.begin(), open.end(),
-      [&](std::uint32_t number) { return this->IsCovered(number, rank, reach); }));
-  }
-
-  /** Removes the vertices of a cell. Returns how many there were. */
-  std::size_t Cover(Ids& open, std::uint32_t rank, std::size_t reach) const
-  {
-    return rank < this->Coded.size() ? std::erase_if(open,
-      [&](std::uint32_t number) { return this->IsCovered(number, rank, reach); }) : 0;
-  }
-
-  //----------------------------------------------------------------------------
   // Templates
 
   /** Keeps templates that are used often, the most frequent first. */
   void ChooseTemplates()
   {
     std::vector<std::size_t> uses(this->Keys.size(), 0);
-    for (const auto& cell : this->Coded)
+    for (const auto& keys : this->KeysOf)
     {
-      ++uses[cell.Key];
+      ++uses[keys.WithHead];
     }
-    for (auto& cell : this->Coded)
+    for (auto& keys : this->KeysOf)
     {
-      if (cell.HasHead && uses[cell.Key] < LeastUses)
+      if (keys.WithHead != keys.List && uses[keys.WithHead] < LeastUses)
       {
-        --uses[cell.Key];
-        cell.Key = cell.ListKey;
-        ++uses[cell.Key];
+        --uses[keys.WithHead];
+        keys.WithHead = keys.List;
+        ++uses[keys.List];
       }
     }
     Ids order;
@@ -400,20 +240,20 @@ private:
     }
     std::stable_sort(order.begin(), order.end(),
       [&](std::uint32_t a, std::uint32_t b) { return uses[a] > uses[b]; });
-    this->IdOf.assign(uses.size(), Unmet);
+    Ids idOf(uses.size(), Unmet);
     this->Samples.resize(order.size());
     for (const auto key : order)
     {
-      this->IdOf[key] = static_cast<std::uint32_t>(this->Templates.Items.size());
+      idOf[key] = static_cast<std::uint32_t>(this->Templates.Items.size());
       this->AddTemplate(this->Keys[key]);
     }
-    for (std::uint32_t rank = 0; rank < this->Coded.size(); ++rank)
+    for (std::uint32_t rank = 0; rank < this->KeysOf.size(); ++rank)
     {
-      this->Samples[this->GetId(rank)].push_back(rank);
+      const auto id = idOf[this->KeysOf[rank].WithHead];
+      this->Coded.Items[rank].Template = id;
+      this->Samples[id].push_back(rank);
     }
   }
-
-  std::uint32_t GetId(std::uint32_t rank) const { return this->IdOf[this->Coded[rank].Key]; }
 
   void AddTemplate(const TemplateKey& key)
   {
@@ -477,13 +317,13 @@ private:
   std::uint32_t GetVertex(
     const CellTemplate& item, std::uint32_t rank, unsigned place, unsigned w) const
   {
-    const auto& cell = this->Coded[rank];
+    const auto& cell = this->Coded.Items[rank];
     if (place < CellTemplate::New)
     {
       const auto from = cell.From[place / CellTemplate::MaxHead];
       const auto corner = place % CellTemplate::MaxHead;
-      return from < rank && corner < this->GetCorners(from).size()
-        ? this->GetCorners(from)[corner]
+      return from < rank && corner < this->Coded.GetCorners(from).size()
+        ? this->Coded.GetCorners(from)[corner]
         : Unmet;
     }
     if (place < CellTemplate::New + w)
@@ -492,7 +332,7 @@ private:
     }
     const auto found = std::find(item.From.begin(), item.From.end(), place);
     return place >= CellTemplate::Far && found != item.From.end()
-      ? this->Points[cell.First + static_cast<std::uint32_t>(found - item.From.begin())]
+      ? this->Coded.Points[cell.First + static_cast<std::uint32_t>(found - item.From.begin())]
       : Unmet;
   }
 
@@ -519,7 +359,7 @@ private:
     std::vector<TreePlace> places;
     for (const auto rank : samples)
     {
-      places.push_back(this->GetPlace(this->Points[this->Coded[rank].First + corner]));
+      places.push_back(this->GetPlace(this->Coded.Points[this->Coded.Items[rank].First + corner]));
     }
     std::vector<GateFinder::Candidate> candidates;
     for (unsigned place = 0; place < CellTemplate::Nothing; ++place)
@@ -533,8 +373,8 @@ private:
   /** Whether a cell is the first one with one of its points. */
   bool IsNew(std::uint32_t rank, std::uint32_t point) const
   {
-    const auto& cell = this->Coded[rank];
-    const auto first = this->Points.begin() + cell.First;
+    const auto& cell = this->Coded.Items[rank];
+    const auto first = this->Coded.Points.begin() + cell.First;
     const auto number = first[point];
     return number >= cell.Next && std::find(first, first + point, number) == first + point;
   }
@@ -551,7 +391,7 @@ private:
       Ids samples;
       for (const auto rank : uses)
       {
-        if (item.Head + k < this->Coded[rank].Points && this->IsNew(rank, item.Head + k))
+        if (item.Head + k < this->Coded.Items[rank].Points && this->IsNew(rank, item.Head + k))
         {
           samples.push_back(rank);
         }
@@ -575,7 +415,7 @@ private:
     std::vector<TreePlace> places;
     for (const auto rank : samples)
     {
-      places.push_back(this->GetPlace(this->Points[this->Coded[rank].First + point]));
+      places.push_back(this->GetPlace(this->Coded.Points[this->Coded.Items[rank].First + point]));
     }
     std::vector<GateFinder::Candidate> candidates;
     for (std::uint32_t other = 0; other < point; ++other)
@@ -583,14 +423,14 @@ private:
       this->AddCandidate(candidates, static_cast<std::uint8_t>(other), samples,
         [&](std::uint32_t rank)
         {
-          const auto& cell = this->Coded[rank];
-          return other < cell.Points - cell.Hidden ? this->Points[cell.First + other] : Unmet;
+          const auto& cell = this->Coded.Items[rank];
+          return other < cell.Points - cell.Hidden ? this->Coded.Points[cell.First + other] : Unmet;
         });
     }
     this->AddCandidate(candidates, CellTemplate::Before, samples,
       [&](std::uint32_t rank)
       {
-        const auto vertex = this->Points[this->Coded[rank].First + point];
+        const auto vertex = this->Coded.Points[this->Coded.Items[rank].First + point];
         return vertex > 0 ? vertex - 1 : Unmet;
       });
     return GateFinder::Find(places, candidates);
@@ -602,161 +442,23 @@ private:
   void Write()
   {
     ByteWriter out;
-    this->Templates.Write(out);
-    this->WriteIds(out);
-    this->WriteSources(out);
-    this->WriteFars(out);
-    this->WriteRests(out);
+    CellTreeWriter(this->Templates, this->Coded).Write(out);
     this->Result.OwnOrder = PutVertexNames(out, this->Result.InputOf, this->Shared);
     this->Result.Stream = std::move(out.Data);
-  }
-
-  void WriteIds(ByteWriter& out) const
-  {
-    constexpr std::uint32_t escape = 255;
-    Bytes symbols;
-    NumberWriter more;
-    for (std::uint32_t rank = 0; rank < this->Coded.size(); ++rank)
-    {
-      const auto id = this->GetId(rank);
-      symbols.push_back(static_cast<std::uint8_t>(std::min(id, escape)));
-      if (id >= escape)
-      {
-        more.Put(id - escape);
-      }
-    }
-    PutPacked(out, symbols);
-    if (this->Templates.Items.size() > escape)
-    {
-      more.Finish(out);
-    }
-  }
-
-  void WriteSources(ByteWriter& out) const
-  {
-    constexpr std::uint8_t escape = 255;
-    Bytes symbols;
-    NumberWriter distances;
-    bool hasDistances = false;
-    SourceCells last{ Unmet, Unmet, Unmet };
-    for (std::uint32_t rank = 0; rank < this->Coded.size(); ++rank)
-    {
-      const auto& from = this->Coded[rank].From;
-      const auto& item = this->Templates.Items[this->GetId(rank)];
-      for (unsigned s = 0; s < (item.KnowsSources ? 0 : item.Sources); ++s)
-      {
-        const auto difference = FromSigned(std::int64_t{ from[s] } - (last[s] + 1));
-        symbols.push_back(static_cast<std::uint8_t>(std::min<std::uint64_t>(difference, escape)));
-        if (difference >= escape)
-        {
-          distances.Put(rank - 1 - from[s]);
-          hasDistances = true;
-        }
-      }
-      last = from;
-    }
-    PutPacked(out, symbols);
-    if (hasDistances)
-    {
-      distances.Finish(out);
-    }
-  }
-
-  void WriteFars(ByteWriter& out) const
-  {
-    NumberWriter fars;
-    bool hasFars = false;
-    for (std::uint32_t rank = 0; rank < this->Coded.size(); ++rank)
-    {
-      const auto& cell = this->Coded[rank];
-      const auto& item = this->Templates.Items[this->GetId(rank)];
-      unsigned met = 0;
-      for (unsigned k = 0; k < item.Head; ++k)
-      {
-        if (item.From[k] == CellTemplate::Far + met)
-        {
-          fars.Put(cell.Next - 1 - this->Points[cell.First + k]);
-          hasFars = true;
-          ++met;
-        }
-      }
-    }
-    if (hasFars)
-    {
-      fars.Finish(out);
-    }
-  }
-
-  void WriteRests(ByteWriter& out) const
-  {
-    NumberWriter sizes;
-    Bytes symbols;
-    NumberWriter fars;
-    bool hasSizes = false;
-    bool hasFars = false;
-    for (std::uint32_t rank = 0; rank < this->Coded.size(); ++rank)
-    {
-      const auto& cell = this->Coded[rank];
-      const auto& item = this->Templates.Items[this->GetId(rank)];
-      if (item.IsSized)
-      {
-        sizes.Put(cell.Points - item.Head);
-        hasSizes = true;
-      }
-      auto next = cell.Next + item.News;
-      for (auto k = std::uint32_t{ item.Head }; k < cell.Points; ++k)
-      {
-        const auto vertex = this->Points[cell.First + k];
-        const auto near = vertex < cell.Next
-          ? this->FindNear(vertex, cell.From, item.Sources, CellTemplate::NearCorners)
-          : Unmet;
-        if (near != Unmet)
-        {
-          symbols.push_back(static_cast<std::uint8_t>(CellTemplate::NearSymbol + near));
-        }
-        else if (vertex == next)
-        {
-          symbols.push_back(CellTemplate::NewSymbol);
-          ++next;
-        }
-        else
-        {
-          symbols.push_back(CellTemplate::FarSymbol);
-          fars.Put(next - 1 - vertex);
-          hasFars = true;
-        }
-      }
-    }
-    if (hasSizes)
-    {
-      sizes.Finish(out);
-    }
-    PutPacked(out, symbols);
-    if (hasFars)
-    {
-      fars.Finish(out);
-    }
   }
 
   const CellList& Cells;
   const std::uint32_t Shared;
   const std::span<const TreePlace> Places; // of the input's vertices
   const CellUsers Users;
-  std::vector<std::uint32_t> Ranks;  // of the input's cells
-  std::vector<std::uint32_t> Common; // corners with the cell that is looked at
-  std::vector<std::uint32_t> Numbers; // of the input's vertices
-
-  std::vector<CodedCell> Coded;
-  Ids Points; // of all coded cells
-  SourceCells From{};
-  SourceCells LastFrom{ Unmet, Unmet, Unmet };
-  Ids Known;                                                  // vertices of the cell
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> Near;  // common corners and ranks
+  Ids Numbers; // of the input's vertices
+  CodedCells Coded;
+  SourceFinder Finder;
 
   std::map<TemplateKey, std::uint32_t> KeyOf;
   std::vector<TemplateKey> Keys;
+  std::vector<KeyChoice> KeysOf; // of cells
   std::map<Ids, std::uint32_t> PatternOf;
-  Ids IdOf;                 // the template of each key
   std::vector<Ids> Samples; // the cells of each template
   CellTemplates Templates;
   EncodedCellTree Result;

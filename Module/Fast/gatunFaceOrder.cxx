@@ -98,8 +98,8 @@ public:
   /** Whether the surface is closed and its sides are few. */
   bool IsClosed = false;
 
-  /** Walks over the faces, from the one of a side on. meet(point) for each new point returns whether
-   * to go on. Returns the pattern, empty if not all faces are reached. */
+  /** Walks over the faces, from the one of a side on. meet(point) for each new point returns
+   * whether to go on. Returns the pattern, empty if not all faces are reached. */
   template <typename Meet>
   Ids Walk(std::uint32_t start, Meet&& meet) const
   {
@@ -207,7 +207,8 @@ bool OrderClosed(std::span<const std::uint32_t> faces,
         isBehind = news.back() < least;
         return news.back() <= least;
       });
-    if (!other.Pattern.empty() && (best.Pattern.empty() || isBehind || other.Pattern < best.Pattern))
+    if (!other.Pattern.empty() &&
+      (best.Pattern.empty() || isBehind || other.Pattern < best.Pattern))
     {
       best = std::move(other);
       leastNews = std::move(news);
