@@ -1,9 +1,19 @@
-# Fast: the fast coder, of tetrahedra in the order of a tree and of values by what is around them.
+# Fast: the fast coder, of tetrahedra in the order of a tree, of other cells by templates, and of
+# values by what is around them.
 gatun_core_folder(Fast
   INCLUDES
     Support
+    Cells
     Coding
   PRIVATE_HEADERS
+    gatunCellGates.h
+    gatunCellRows.h
+    gatunCellSources.h
+    gatunCellTemplates.h
+    gatunCellTree.h
+    gatunCellTreeWriter.h
+    gatunCodedCells.h
+    gatunFaceOrder.h
     gatunFaceTable.h
     gatunGateLanes.h
     gatunGateRule.h
@@ -12,7 +22,16 @@ gatun_core_folder(Fast
     gatunPackedBytes.h
     gatunTetTree.h
     gatunTreeSymbols.h
+    gatunVertexNames.h
   SOURCES
+    gatunCellGates.cxx
+    gatunCellRows.cxx
+    gatunCellSources.cxx
+    gatunCellTemplates.cxx
+    gatunCellTreeDecoder.cxx
+    gatunCellTreeEncoder.cxx
+    gatunCellTreeWriter.cxx
+    gatunFaceOrder.cxx
     gatunGateLanes.cxx
     gatunGateValues.cxx
     gatunPackedBytes.cxx

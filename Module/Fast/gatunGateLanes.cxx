@@ -142,9 +142,9 @@ private:
         continue;
       }
       const auto gate = this->Vertices.Gates[v];
-      const Float4 number = ((weights[0] * numbers[GetCorner(gate, 0)] +
-                               weights[1] * numbers[GetCorner(gate, 1)]) +
-                              weights[2] * numbers[GetCorner(gate, 2)]) +
+      const Float4 number =
+        ((weights[0] * numbers[GetCorner(gate, 0)] + weights[1] * numbers[GetCorner(gate, 1)]) +
+          weights[2] * numbers[GetCorner(gate, 2)]) +
         weights[3] * numbers[GetCorner(gate, 3)];
       // Unsigned, as keys wrap around.
       Int4 keys = std::bit_cast<Int4>(std::bit_cast<UInt4>(GetKeys(number)) +

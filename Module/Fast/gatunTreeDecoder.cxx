@@ -7,6 +7,7 @@
 #include "gatunNumberStream.h"
 #include "gatunTetTree.h"
 #include "gatunTreeSymbols.h"
+#include "gatunVertexNames.h"
 
 #include <algorithm>
 #include <bit>
@@ -115,7 +116,7 @@ public:
     this->Flatten();
     this->Walk();
     this->FindGates();
-    this->NameShared();
+    this->Tree.Sources = GetVertexNames(this->In, this->Vertices, this->Shared);
   }
 
 private:
@@ -299,35 +300,6 @@ private:
         const auto parent = tets[this->Tree.Parents[bringer]];
         gates[v] = (tets[bringer] & LowThree) | GetOpposite(parent, this->Shifts[bringer]) << 48;
       }
-    }
-  }
-
-  /** Reads which vertices are shared ones, and which of them. */
-  void NameShared()
-  {
-    auto& sources = this->Tree.Sources;
-    sources.assign(this->Vertices, 0);
-    NumberReader numbers(this->In, 2 * std::size_t{ this->Shared }, 18);
-    std::vector<char> isMet(this->Shared, 0);
-    std::uint64_t vertex = 0;
-    std::int64_t place = -1;
-    for (std::uint32_t i = 0; i < this->Shared; ++i, ++vertex)
-    {
-      vertex += numbers.Get();
-      place += 1 + ToSigned(numbers.Get());
-      if (vertex >= this->Vertices || place < 0 || place >= this->Shared ||
-        isMet[static_cast<std::size_t>(place)] != 0)
-      {
-        ThrowCorrupt("a chunk names a shared point that it does not have");
-      }
-      isMet[static_cast<std::size_t>(place)] = 1;
-      sources[static_cast<std::size_t>(vertex)] =
-        static_cast<std::uint32_t>(place) | TetTree::SharedFlag;
-    }
-    std::uint32_t own = 0;
-    for (auto& source : sources)
-    {
-      source = source != 0 ? source : own++;
     }
   }
 

@@ -6,6 +6,7 @@
 #include "gatunPrefetch.h"
 #include "gatunTetTree.h"
 #include "gatunTreeSymbols.h"
+#include "gatunVertexNames.h"
 
 #include <algorithm>
 #include <array>
@@ -88,7 +89,7 @@ public:
       }
       this->Masks[head / 2] |= static_cast<std::uint8_t>(mask << head % 2 * 3);
     }
-    this->NameShared();
+    this->Result.Tree.Sources = MakeSources(this->InputOf, this->Shared);
     this->FindFlips();
     this->Write();
     return std::move(this->Result);
@@ -219,28 +220,6 @@ private:
     return SymbolsByRank[static_cast<std::size_t>(least)];
   }
 
-  void NameShared()
-  {
-    auto& tree = this->Result.Tree;
-    std::uint32_t after = 0; // the last shared vertex
-    std::int64_t place = -1;
-    for (std::uint32_t v = 0; v < this->InputOf.size(); ++v)
-    {
-      const auto input = this->InputOf[v];
-      if (input >= this->Shared)
-      {
-        tree.Sources.push_back(static_cast<std::uint32_t>(this->Result.OwnOrder.size()));
-        this->Result.OwnOrder.push_back(input - this->Shared);
-        continue;
-      }
-      this->SharedNames.Put(v - after);
-      this->SharedNames.Put(FromSigned(std::int64_t{ input } - place - 1));
-      after = v + 1;
-      place = input;
-      tree.Sources.push_back(input | TetTree::SharedFlag);
-    }
-  }
-
   /** Marks the tetrahedra that have another orientation than their neighbors. */
   void FindFlips()
   {
@@ -266,7 +245,7 @@ private:
     PutPacked(out, this->Classes);
     this->Fars.Finish(out);
     this->RootCorners.Finish(out);
-    this->SharedNames.Finish(out);
+    this->Result.OwnOrder = PutVertexNames(out, this->InputOf, this->Shared);
     if (!tree.Flips.empty())
     {
       PutPacked(out, tree.Flips);
@@ -284,7 +263,6 @@ private:
   Bytes Classes;
   NumberWriter Fars;
   NumberWriter RootCorners;
-  NumberWriter SharedNames;
   std::uint32_t Roots = 0;
   EncodedTree Result;
 };

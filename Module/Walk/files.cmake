@@ -14,6 +14,7 @@ gatun_core_folder(Walk
     gatunCellGeometry.h
     gatunCellListCoder.h
     gatunCellRules.h
+    gatunCellTreeChunk.h
     gatunChunkCodec.h
     gatunChunkMesh.h
     gatunChunkPlaces.h
@@ -52,6 +53,7 @@ gatun_core_folder(Walk
     gatunTetGeometry.h
     gatunTopology.h
     gatunTreeChunk.h
+    gatunTreeKeys.h
     gatunVertexHash.h
     gatunVertexRing.h
     gatunWalk.h
@@ -60,6 +62,7 @@ gatun_core_folder(Walk
     gatunCellCodec.cxx
     gatunCellCorners.cxx
     gatunCellGeometry.cxx
+    gatunCellTreeChunk.cxx
     gatunChunkMesh.cxx
     gatunChunkTets.cxx
     gatunEncoderMarks.cxx
@@ -71,5 +74,6 @@ gatun_core_folder(Walk
     gatunSharedSearch.cxx
     gatunTetGeometry.cxx
     gatunTreeChunk.cxx
+    gatunTreeKeys.cxx
     # Last, so that a unity build compiles the two largest sources apart.
     gatunChunkCodec.cxx)

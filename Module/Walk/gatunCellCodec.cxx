@@ -5,6 +5,8 @@
 
 #include "gatunCellBuilder.h"
 #include "gatunCellListCoder.h"
+#include "gatunCellTree.h"
+#include "gatunCellTreeChunk.h"
 #include "gatunChunkPlaces.h"
 #include "gatunEncoderPolygons.h"
 #include "gatunFaceMarks.h"
@@ -27,6 +29,7 @@ constexpr std::uint8_t FlagMarks = 2;
 constexpr std::uint8_t FlagSurface = 4;
 constexpr std::uint8_t FlagHexahedra = 8;
 constexpr std::uint8_t FlagUniform = 16;
+constexpr std::uint8_t FlagTree = 32; // alone
 
 /** One way to encode the connectivity of a chunk. */
 struct CellAttempt
@@ -204,9 +207,18 @@ CellAttempt EncodeConnectivity(const ChunkFrame& frame, const CellList& cells,
 
 //------------------------------------------------------------------------------
 EncodedCells EncodeCells(const ChunkFrame& frame, const CellList& cells, const ShapeTable& shapes,
-  std::span<const PointKeys> ownKeys, bool keepCorners)
+  std::span<const PointKeys> ownKeys, bool keepCorners, Profile profile)
 {
   const FloatEnvironment guard;
+  if (profile == Profile::Fast &&
+    FitsCellTree(cells.GetNumber(), frame.SharedKeys.size() + ownKeys.size()))
+  {
+    auto result = EncodeCellTreeChunk(frame, cells, ownKeys, keepCorners);
+    auto& stream = result.Connectivity;
+    stream.insert(stream.begin(), FlagTree);
+    stream.resize(std::max(stream.size(), GetLeastBytes(frame.Cells)), 0);
+    return result;
+  }
   auto best = EncodeConnectivity(frame, cells, *shapes.GetForms(), ownKeys, keepCorners);
 
   EncodedCells result;
@@ -244,6 +256,10 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,
     ThrowCorrupt("a chunk claims more cells or points than its stream can hold");
   }
   const unsigned flags = connectivity[0];
+  if (flags == FlagTree)
+  {
+    return DecodeCellTreeChunk(frame, connectivity.subspan(1), geometry);
+  }
   if (flags > (FlagWalk | FlagMarks | FlagSurface | FlagHexahedra | FlagUniform) ||
     ((flags & FlagWalk) == 0 && (flags & (FlagMarks | FlagHexahedra)) != 0) ||
     ((flags & FlagSurface) == 0 && (flags & FlagUniform) != 0))

@@ -25,21 +25,6 @@ constexpr std::uint32_t MaxCornersPerByte = 16384;
 /** The most corners and values of faces of a chunk; it has at most MaxChunkTets cells. */
 constexpr std::uint32_t MaxChunkCorners = 1u << 24;
 
-struct EncodedCells
-{
-  Bytes Connectivity;
-  Bytes Geometry;
-
-  /** Restores the input's order of corners where the streams do not keep it; see RestoreCorners.
-   * Empty unless asked for. */
-  Bytes Corners;
-
-  /** The mesh as it is decoded. Its walk has no tetrahedra, and a parent for each cell. */
-  ChunkMesh Mesh;
-  std::vector<std::uint32_t> OwnOrder;  // own vertex -> own vertex of the input
-  std::vector<std::uint32_t> CellOrder; // cell -> cell of the input
-};
-
 /**
  * Encodes a chunk of cells of any type and in any state. Vertices of the cells are shared ones
  * first, in the order of the frame, then own ones with ownKeys. Every vertex must be used by a
@@ -49,10 +34,11 @@ struct EncodedCells
  * an even permutation, and that the points, the faces and the first corner of each face of
  * polyhedra may come in another order. keepCorners: whether to encode these orders, too.
  *
- * shapes: of the file. The bytes depend only on the input.
+ * shapes: of the file. The bytes depend only on the input. The fast profile is for up to
+ * TetTree::MaxVertices vertices; more, and none, have the small one.
  */
 EncodedCells EncodeCells(const ChunkFrame& frame, const CellList& cells, const ShapeTable& shapes,
-  std::span<const PointKeys> ownKeys, bool keepCorners);
+  std::span<const PointKeys> ownKeys, bool keepCorners, Profile profile = Profile::Small);
 
 /** Decodes the streams of EncodeCells. Safe on hostile input: throws Error(Corrupt). */
 ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,

@@ -49,7 +49,7 @@ struct ChunkMesh
   std::vector<PointKeys> Keys;         // of all vertices in the order of the walk
   std::vector<Vertex> OwnIds;          // the number of each own vertex in the walk
   PredictionRules Rules;               // of a chunk of tetrahedra
-  std::vector<CellRule> CellRules;     // of another chunk, never empty there
+  std::vector<CellRule> CellRules;     // of another chunk, never empty there unless it has gates
   std::vector<std::uint8_t> UsedRules; // one for each own vertex
   PointDomain Domains;
 
@@ -71,6 +71,21 @@ struct EncodedChunk
 
   /** For each tetrahedron, the rotation that restores the input's corners: see RotateCorners. */
   std::vector<std::uint8_t> Corners;
+};
+
+struct EncodedCells
+{
+  Bytes Connectivity;
+  Bytes Geometry;
+
+  /** Restores the input's order of corners where the streams do not keep it; see RestoreCorners.
+   * Empty unless asked for. */
+  Bytes Corners;
+
+  /** The mesh as it is decoded. Its walk has no tetrahedra, and a parent for each cell. */
+  ChunkMesh Mesh;
+  std::vector<std::uint32_t> OwnOrder;  // own vertex -> own vertex of the input
+  std::vector<std::uint32_t> CellOrder; // cell -> cell of the input
 };
 }
 

@@ -98,7 +98,7 @@ struct Topology
   // The number of each vertex among the chunk's shared vertices, with SharedFlag, or its own ones.
   std::vector<std::uint32_t> Sources;
 
-  // A chunk of tetrahedra in the fast profile has gates (TetTree) and nothing of the following.
+  // A chunk in the fast profile has gates (TetTree, CellTree) and nothing of the following.
   std::vector<PackedTet> Gates;               // one for each vertex
   std::vector<GateRecord> Records;            // one for each own vertex of a chunk of tetrahedra
   std::vector<CellRecord> CellRecords;        // and of other chunks

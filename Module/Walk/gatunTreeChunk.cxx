@@ -4,9 +4,8 @@
 #include "gatunTreeChunk.h"
 
 #include "gatunCornerRotation.h"
-#include "gatunGateLanes.h"
-#include "gatunGateValues.h"
 #include "gatunTetTree.h"
+#include "gatunTreeKeys.h"
 
 #include <algorithm>
 #include <array>
@@ -50,42 +49,6 @@ std::array<std::uint8_t, 64> MakeRotations()
   }
   return rotations;
 }
-
-/** The keys of one axis. */
-std::vector<Key> GetAxis(std::span<const PointKeys> keys, unsigned axis)
-{
-  std::vector<Key> result(keys.size());
-  for (std::size_t v = 0; v < keys.size(); ++v)
-  {
-    result[v] = keys[v][axis];
-  }
-  return result;
-}
-
-/** Decodes the keys of own vertices. */
-void DecodeKeys(ByteReader& in, ChunkMesh& mesh)
-{
-  const GateVertices vertices{ mesh.Walk.Gates, mesh.Walk.Sources };
-  if (std::all_of(mesh.Domains.begin(), mesh.Domains.end(), Float32Domain::Matches))
-  {
-    std::array<KeyColumn, 3> columns{};
-    for (unsigned axis = 0; axis < 3; ++axis)
-    {
-      columns[axis] = { &mesh.Keys[0][axis], 3 };
-    }
-    GetVertexLanes(in, vertices, columns);
-    return;
-  }
-  for (unsigned axis = 0; axis < 3; ++axis)
-  {
-    auto keys = GetAxis(mesh.Keys, axis);
-    GetVertexValues(in, mesh.Domains[axis], vertices, { keys });
-    for (std::size_t v = 0; v < keys.size(); ++v)
-    {
-      mesh.Keys[v][axis] = keys[v];
-    }
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -117,13 +80,7 @@ EncodedChunk EncodeTreeChunk(const ChunkFrame& frame,
   result.Corners.resize(tets.size());
   std::transform(tree.Turns.begin(), tree.Turns.end(), result.Corners.begin(),
     [rotations = MakeRotations()](std::uint8_t turn) { return rotations[turn]; });
-  ByteWriter geometry;
-  for (unsigned axis = 0; axis < 3; ++axis)
-  {
-    auto keys = GetAxis(mesh.Keys, axis);
-    PutVertexValues(geometry, mesh.Domains[axis], { walk.Gates, walk.Sources }, { keys });
-  }
-  result.Geometry = std::move(geometry.Data);
+  result.Geometry = EncodeTreeKeys(mesh);
   return result;
 }
 
@@ -141,18 +98,8 @@ ChunkMesh DecodeTreeChunk(const ChunkFrame& frame, std::span<const std::uint8_t>
   mesh.Domains = frame.Domains;
   SetWalk(
     DecodeTree(connectivity, frame.Tets, shared, static_cast<std::uint32_t>(vertices)), mesh.Walk);
-  const auto& walk = mesh.Walk;
-  mesh.OwnIds = walk.FindOwnIds();
-  mesh.Keys.resize(vertices);
-  for (Vertex v = 0; v < vertices; ++v)
-  {
-    if (walk.IsShared(v))
-    {
-      mesh.Keys[v] = frame.SharedKeys[walk.Sources[v] & ~Topology::SharedFlag];
-    }
-  }
-  ByteReader in(geometry);
-  DecodeKeys(in, mesh);
+  mesh.OwnIds = mesh.Walk.FindOwnIds();
+  DecodeTreeKeys(frame, geometry, mesh);
   return mesh;
 }
 }

@@ -442,7 +442,8 @@ MeshSection::ChunkStreams MeshSection::EncodeChunk(WriterPart& part, std::size_t
   }
   else
   {
-    auto encoded = EncodeCells(frame, local.Cells, this->State.Cells.Shapes, ownKeys, keepsCorners);
+    auto encoded = EncodeCells(frame, local.Cells, this->State.Cells.Shapes, ownKeys, keepsCorners,
+      this->State.Options.Coding);
     take(encoded);
     cellOrder = std::move(encoded.CellOrder);
     info.Tets = SplitCells(state.Mesh).Tets.size();

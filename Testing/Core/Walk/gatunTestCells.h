@@ -9,6 +9,7 @@
 #include "gatunArrayContext.h"
 #include "gatunCellCodec.h"
 #include "gatunCellShapes.h"
+#include "gatunCellTree.h"
 
 #include <gtest/gtest.h>
 
@@ -223,8 +224,10 @@ inline bool IsSameCell(
 /** Encodes and decodes values on points and cells with every mode. */
 inline void ExpectArrays(const EncodedCells& encoded, const ChunkMesh& decoded)
 {
-  const ArrayContext ofEncoded(encoded.Mesh, ContextFits::All);
-  const ArrayContext ofDecoded(decoded, ContextFits::All);
+  const bool isFast = decoded.Walk.HasTree();
+  const auto fits = isFast ? ContextFits::None : ContextFits::All;
+  const ArrayContext ofEncoded(encoded.Mesh, fits);
+  const ArrayContext ofDecoded(decoded, fits);
   const Domain domain(ScalarType::Float32);
   std::vector<ComponentKeys> actual(1);
   for (const auto& place : decoded.GetPlaces())
@@ -250,17 +253,35 @@ inline void ExpectArrays(const EncodedCells& encoded, const ChunkMesh& decoded)
   {
     actual[0].Now.push_back(domain.FromNumber(static_cast<double>(cell)));
   }
-  const auto stream = EncodeCellValues({ encoded.Mesh.Walk.Parents }, { &domain, 1 }, actual);
+  const CellContext cells{ encoded.Mesh.Walk.Parents, nullptr,
+    isFast ? Profile::Fast : Profile::Small };
+  const auto stream = EncodeCellValues(cells, { &domain, 1 }, actual);
   auto found = actual;
   std::fill(found[0].Now.begin(), found[0].Now.end(), 0);
   DecodeCellValues(stream, { decoded.Walk.Parents }, { &domain, 1 }, found);
   EXPECT_EQ(found[0].Now, actual[0].Now);
 }
 
-/** Encodes, decodes, and compares everything. */
-inline EncodedCells ExpectRoundTrip(const CellCase& chunk, const ShapeTable& shapes = {})
+/** The mesh of a chunk in the fast profile, or in the small one. */
+inline void ExpectGates(const ChunkMesh& mesh, Profile profile)
 {
-  auto encoded = EncodeCells(chunk.Frame, chunk.Cells, shapes, chunk.OwnKeys, true);
+  const auto& gates = mesh.Walk.Gates;
+  EXPECT_EQ(mesh.Walk.HasTree(),
+    profile == Profile::Fast && FitsCellTree(mesh.Cells.GetNumber(), mesh.Keys.size()));
+  for (Vertex v = 0; v < gates.size(); ++v)
+  {
+    for (unsigned k = 0; k < 4; ++k)
+    {
+      EXPECT_TRUE(GetCorner(gates[v], k) < v || v == 0);
+    }
+  }
+}
+
+/** Encodes, decodes, and compares everything. */
+inline EncodedCells ExpectRoundTripOf(
+  const CellCase& chunk, const ShapeTable& shapes, Profile profile)
+{
+  auto encoded = EncodeCells(chunk.Frame, chunk.Cells, shapes, chunk.OwnKeys, true, profile);
   auto mesh = DecodeCells(chunk.Frame, shapes, encoded.Connectivity, encoded.Geometry);
   const auto& walk = mesh.Walk;
   EXPECT_EQ(mesh.Cells, encoded.Mesh.Cells);
@@ -270,6 +291,8 @@ inline EncodedCells ExpectRoundTrip(const CellCase& chunk, const ShapeTable& sha
   EXPECT_EQ(mesh.Keys, encoded.Mesh.Keys);
   EXPECT_EQ(mesh.CellRules, encoded.Mesh.CellRules);
   EXPECT_EQ(mesh.UsedRules, encoded.Mesh.UsedRules);
+  EXPECT_EQ(walk.Gates, encoded.Mesh.Walk.Gates);
+  ExpectGates(mesh, profile);
 
   EXPECT_EQ(mesh.Cells.GetNumber(), chunk.Cells.GetNumber());
   for (std::size_t c = 0; c < mesh.Cells.GetNumber(); ++c)
@@ -315,7 +338,7 @@ inline EncodedCells ExpectRoundTrip(const CellCase& chunk, const ShapeTable& sha
     EXPECT_TRUE(IsSameCell(restored, c, chunk.Cells, input, true));
   }
   ExpectArrays(encoded, mesh);
-  const auto again = EncodeCells(chunk.Frame, chunk.Cells, shapes, chunk.OwnKeys, false);
+  const auto again = EncodeCells(chunk.Frame, chunk.Cells, shapes, chunk.OwnKeys, false, profile);
   EXPECT_EQ(again.CellOrder, encoded.CellOrder);
   EXPECT_EQ(again.Geometry, encoded.Geometry);
   EXPECT_TRUE(again.Corners.empty());
@@ -327,6 +350,13 @@ inline EncodedCells ExpectRoundTrip(const CellCase& chunk, const ShapeTable& sha
     EXPECT_TRUE(IsSameCell(free, c, chunk.Cells, again.CellOrder[c], false));
   }
   return encoded;
+}
+
+/** The same in both profiles. Returns the chunk in the small one. */
+inline EncodedCells ExpectRoundTrip(const CellCase& chunk, const ShapeTable& shapes = {})
+{
+  ExpectRoundTripOf(chunk, shapes, Profile::Fast);
+  return ExpectRoundTripOf(chunk, shapes, Profile::Small);
 }
 
 /** The bits of a stream for each cell. */

@@ -41,7 +41,7 @@ void ExpectNoCrash(
     {
       EXPECT_LT(v, mesh.Keys.size());
     }
-    ArrayContext(mesh, ContextFits::All);
+    ArrayContext(mesh, mesh.Walk.HasTree() ? ContextFits::None : ContextFits::All);
     RestoreCorners(mesh.Cells, corners);
   }
   catch (const Error& error)
@@ -50,9 +50,9 @@ void ExpectNoCrash(
   }
 }
 
-void ExpectSafeCells(const CellCase& chunk)
+void ExpectSafeCellsOf(const CellCase& chunk, Profile profile)
 {
-  const auto encoded = ExpectRoundTrip(chunk);
+  const auto encoded = ExpectRoundTripOf(chunk, {}, profile);
   std::mt19937 random(4);
   const auto damage = [&](Bytes& stream)
   {
@@ -81,6 +81,12 @@ void ExpectSafeCells(const CellCase& chunk)
     }
     ExpectNoCrash(other, encoded.Connectivity, encoded.Geometry, encoded.Corners);
   }
+}
+
+void ExpectSafeCells(const CellCase& chunk)
+{
+  ExpectSafeCellsOf(chunk, Profile::Small);
+  ExpectSafeCellsOf(chunk, Profile::Fast);
 }
 }
 

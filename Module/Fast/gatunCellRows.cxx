@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunCellRows.h"
+
+#include "gatunCellShapes.h"
+
+#include <algorithm>
+
+namespace gatun
+{
+namespace
+{
+class RowFinder
+{
+public:
+  RowFinder(const CellList& cells, const CellUsers& users)
+    : Cells(cells)
+    , Users(users)
+    , IsDone(cells.GetNumber(), 0)
+    , Common(cells.GetNumber(), 0)
+    , Sides(cells.GetNumber())
+  {
+    std::transform(cells.Types.begin(), cells.Types.end(), this->Sides.begin(),
+      [](std::uint8_t type)
+      { return static_cast<std::uint8_t>(std::max(1, GetCellKind(type).Dimension)); });
+    this->Order.reserve(cells.GetNumber());
+  }
+
+  std::vector<std::uint32_t> Run()
+  {
+    std::uint32_t first = 0;
+    std::vector<std::uint32_t> neighbors;
+    for (std::size_t head = 0; this->Order.size() < this->IsDone.size(); ++head)
+    {
+      if (head == this->Order.size())
+      {
+        while (this->IsDone[first] != 0)
+        {
+          ++first;
+        }
+        this->Add(first);
+      }
+      const auto cell = this->Order[head];
+      neighbors.clear();
+      this->EachNeighbor(cell,
+        [&](std::uint32_t other)
+        {
+          neighbors.push_back(other);
+          return true;
+        });
+      for (const auto other : neighbors)
+      {
+        this->AddRow(cell, other);
+      }
+    }
+    return std::move(this->Order);
+  }
+
+private:
+  static constexpr std::uint32_t None = 0xffffffffu;
+
+  void Add(std::uint32_t cell)
+  {
+    this->IsDone[cell] = 1;
+    this->Order.push_back(cell);
+  }
+
+  /** Adds the row of cells from one to another one and further on. */
+  void AddRow(std::uint32_t cell, std::uint32_t other)
+  {
+    while (other != None && this->IsDone[other] == 0)
+    {
+      this->Add(other);
+      const auto next = this->FindOpposite(cell, other);
+      cell = other;
+      other = next;
+    }
+  }
+
+  /** The neighbor of a cell that does not touch the one before. */
+  std::uint32_t FindOpposite(std::uint32_t before, std::uint32_t cell)
+  {
+    std::uint32_t found = None;
+    const auto touched = this->GetCorners(before);
+    this->EachNeighbor(cell,
+      [&](std::uint32_t other)
+      {
+        const auto corners = this->GetCorners(other);
+        const bool touches = std::find_first_of(corners.begin(), corners.end(), touched.begin(),
+                               touched.end()) != corners.end();
+        found = touches ? None : other;
+        return touches;
+      });
+    return found;
+  }
+
+  std::span<const std::uint32_t> GetCorners(std::uint32_t cell) const
+  {
+    return CellUsers::GetFirst(this->Cells.GetCorners(cell));
+  }
+
+  /** Calls code(neighbor) for those that are not in the order yet, until it returns false. */
+  template <typename Code>
+  void EachNeighbor(std::uint32_t cell, Code&& code)
+  {
+    this->Near.clear();
+    for (const auto corner : this->GetCorners(cell))
+    {
+      for (const auto other : this->Users.Get(corner))
+      {
+        if (this->IsDone[other] == 0 && this->Common[other]++ == 0)
+        {
+          this->Near.push_back(other);
+        }
+      }
+    }
+    bool goesOn = true;
+    for (const auto other : this->Near)
+    {
+      const auto common = this->Common[other];
+      this->Common[other] = 0;
+      goesOn = goesOn &&
+        (other == cell || common < std::max(this->Sides[cell], this->Sides[other]) || code(other));
+    }
+  }
+
+  const CellList& Cells;
+  const CellUsers& Users;
+  std::vector<std::uint32_t> Order;
+  std::vector<char> IsDone;
+  std::vector<std::uint32_t> Common; // corners with the cell that is looked at
+  std::vector<std::uint8_t> Sides;   // the corners that neighbors must have in common
+  std::vector<std::uint32_t> Near;
+};
+}
+
+//------------------------------------------------------------------------------
+CellUsers::CellUsers(const CellList& cells, std::size_t vertices)
+  : Starts(vertices + 1, 0)
+{
+  for (std::size_t c = 0; c < cells.GetNumber(); ++c)
+  {
+    for (const auto corner : GetFirst(cells.GetCorners(c)))
+    {
+      ++this->Starts[corner + 1];
+    }
+  }
+  for (std::size_t v = 0; v < vertices; ++v)
+  {
+    this->Starts[v + 1] += this->Starts[v];
+  }
+  this->Users.resize(this->Starts.back());
+  auto next = this->Starts;
+  for (std::uint32_t c = 0; c < cells.GetNumber(); ++c)
+  {
+    for (const auto corner : GetFirst(cells.GetCorners(c)))
+    {
+      this->Users[next[corner]++] = c;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> FindCellRows(const CellList& cells, const CellUsers& users)
+{
+  return RowFinder(cells, users).Run();
+}
+}
