@@ -4,6 +4,8 @@
 #ifndef gatunFaceTable_h
 #define gatunFaceTable_h
 
+#include "gatunPrefetch.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -72,6 +74,8 @@ private:
   static constexpr std::uint8_t IsJoined = 0x80;
   static constexpr std::size_t SmallBucket = IsJoined - 1;
 
+  static constexpr std::size_t Ahead = 16; // rows are fetched by so many faces
+
   /** A face in the bucket of its lowest corner. PairT: of the other two corners. */
   template <typename PairT>
   struct Face
@@ -110,8 +114,9 @@ private:
   template <typename PairT>
   void FindOver(std::span<const Tet> tets, const std::vector<std::size_t>& start)
   {
-    // Numbers of faces begin at 1 in a bucket, so there is one face before the first bucket.
-    std::vector<Face<PairT>> faces(start.back() + 1);
+    // Numbers of faces begin at 1 in a bucket, so there is one face before the first bucket; and
+    // there are some to fetch behind the last one.
+    std::vector<Face<PairT>> faces(start.back() + 1 + Ahead);
     auto next = start;
     for (std::size_t face = 0; face < 4 * tets.size(); ++face)
     {
@@ -176,6 +181,7 @@ private:
     for (std::size_t i = 1; i <= size; ++i)
     {
       const auto& face = bucket[i];
+      Prefetch(&this->Rows[bucket[i + Ahead].Id / 4]);
       unsigned slot = Hash(face.Others);
       const auto find = [&] { return slots[slot] & ~unsigned{ IsJoined }; };
       while (find() != 0 && bucket[find()].Others != face.Others)
@@ -240,6 +246,7 @@ public:
   }
 
   void Visit(std::uint32_t tet) { this->Visited[tet] = 1; }
+  bool IsVisited(std::uint32_t tet) const { return this->Visited[tet] != 0; }
 
   /** The first tetrahedron that is unvisited. There must be one. */
   std::uint32_t FindFirst()

@@ -23,8 +23,9 @@ namespace
 using namespace TreeSymbols;
 using InputTet = std::array<std::uint32_t, 4>;
 
-/** The number of tetrahedra by which the encoder fetches rows ahead. */
-constexpr std::size_t Ahead = 8;
+/** The numbers of tetrahedra by which the encoder fetches neighbors and rows ahead. */
+constexpr std::size_t NeighborsAhead = 8;
+constexpr std::size_t RowsAhead = 16;
 
 /** No apex has this number. */
 constexpr std::uint16_t NoApex = 0xffff;
@@ -81,7 +82,7 @@ public:
       {
         this->AddRoot(this->Visits.FindFirst());
       }
-      this->FetchAround(head + Ahead);
+      this->FetchAhead(head);
       unsigned mask = 0;
       for (unsigned face = 0; face < FaceCount; ++face)
       {
@@ -100,17 +101,18 @@ private:
 
   std::uint32_t GetNext() const { return static_cast<std::uint32_t>(this->InputOf.size()); }
 
-  /** Begins to load the neighbors of a tetrahedron, if it has been added. */
-  void FetchAround(std::size_t tet) const
+  /** Begins to load what the attachment of children to the next tetrahedra needs. */
+  void FetchAhead(std::size_t head) const
   {
-    if (tet < this->Result.TetOrder.size())
+    const auto& order = this->Result.TetOrder;
+    if (head + RowsAhead < order.size())
     {
-      for (const auto over : this->Faces.Rows[this->Result.TetOrder[tet]].Over)
+      Prefetch(&this->Faces.Rows[order[head + RowsAhead]]);
+      const auto tet = order[head + NeighborsAhead];
+      for (const auto over : this->Faces.Rows[tet].Over)
       {
-        if (!FaceTable::IsGroup(over) && over != FaceTable::None)
-        {
-          Prefetch(&this->Faces.Rows[over / 4]);
-        }
+        const auto next = over / 4 < this->Faces.Rows.size() ? over / 4 : tet;
+        Prefetch(&this->Faces.Rows[this->Visits.IsVisited(next) ? tet : next]);
       }
     }
   }

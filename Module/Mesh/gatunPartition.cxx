@@ -16,6 +16,7 @@
 #include <atomic>
 #include <map>
 #include <numeric>
+#include <span>
 #include <utility>
 
 namespace gatun
@@ -88,69 +89,79 @@ struct Use
   auto operator<=>(const Use&) const = default;
 };
 
-/** Lists the points of each chunk, ascending. */
-std::vector<std::vector<std::uint32_t>> ListPoints(const MeshAccess& mesh, const Partition& parts)
+/** Which chunks use a point: none, if it is 0; or one with the number plus 1, and others with this
+ * flag. */
+using Users = std::uint32_t;
+constexpr Users UsedByOthers = 0x80000000u;
+
+/** Finds the users of points. Returns for each chunk the points that it uses after another one has
+ * been noted, in any order. */
+std::vector<std::vector<std::uint32_t>> FindUsers(
+  const MeshAccess& mesh, const Partition& parts, std::span<std::atomic<Users>> users)
 {
-  std::vector<std::vector<std::uint32_t>> lists(parts.GetChunkCount());
-  ParallelFor(lists.size(),
+  std::vector<std::vector<std::uint32_t>> shared(parts.GetChunkCount());
+  ParallelFor(shared.size(),
     [&](std::size_t c)
     {
-      LocalIds ids((parts.ChunkStart[c + 1] - parts.ChunkStart[c]) / 4);
+      LocalIds others(0);
+      const auto self = static_cast<Users>(c + 1);
+      const auto add = [&](std::uint64_t point)
+      {
+        auto& user = users[point];
+        Users noted = user.load(std::memory_order_relaxed);
+        if (noted == 0 && user.compare_exchange_strong(noted, self, std::memory_order_relaxed))
+        {
+          return;
+        }
+        if ((noted & ~UsedByOthers) != self)
+        {
+          if ((noted & UsedByOthers) == 0)
+          {
+            user.fetch_or(UsedByOthers, std::memory_order_relaxed);
+          }
+          others.Add(static_cast<std::uint32_t>(point));
+        }
+      };
       for (auto i = parts.ChunkStart[c]; i < parts.ChunkStart[c + 1]; ++i)
       {
-        mesh.ForEachPoint(
-          parts.Cells[i], [&](std::uint64_t point) { ids.Add(static_cast<std::uint32_t>(point)); });
+        mesh.ForEachPoint(parts.Cells[i], add);
       }
-      lists[c] = ids.GetPoints();
-      std::sort(lists[c].begin(), lists[c].end());
+      shared[c] = others.GetPoints();
     });
-  return lists;
+  return shared;
 }
 
-/** Finds the unused points, and returns the uses of shared points by point and chunk. Leaves the
- * own points in the lists. */
-std::vector<Use> FindShared(
-  const MeshAccess& mesh, std::vector<std::vector<std::uint32_t>>& lists, Partition& out)
+/** Finds the own and the unused points, and returns the uses of shared points by point and chunk.
+ */
+std::vector<Use> FindShared(const MeshAccess& mesh, Partition& out)
 {
-  const auto points = static_cast<std::size_t>(mesh.GetMesh().Points);
-  std::vector<std::atomic<std::uint8_t>> users(points); // 0, 1, or 3 if there are several
-  ParallelFor(lists.size(),
-    [&](std::size_t c)
-    {
-      for (const auto p : lists[c])
-      {
-        if (users[p].fetch_or(1, std::memory_order_relaxed) != 0)
-        {
-          users[p].fetch_or(2, std::memory_order_relaxed);
-        }
-      }
-    });
-  std::vector<std::vector<Use>> uses(lists.size());
-  ParallelFor(lists.size(),
-    [&](std::size_t c)
-    {
-      const auto isShared = [&](std::uint32_t p)
-      { return users[p].load(std::memory_order_relaxed) != 1; };
-      for (const auto p : lists[c])
-      {
-        if (isShared(p))
-        {
-          uses[c].push_back({ p, static_cast<std::uint32_t>(c) });
-        }
-      }
-      std::erase_if(lists[c], isShared);
-    });
-  for (std::size_t p = 0; p < points; ++p)
+  std::vector<std::atomic<Users>> users(static_cast<std::size_t>(mesh.GetMesh().Points));
+  const auto others = FindUsers(mesh, out, users);
+  out.OwnPoints.resize(others.size());
+  std::vector<Use> all;
+  for (std::uint32_t p = 0; p < users.size(); ++p)
   {
-    if (users[p].load(std::memory_order_relaxed) == 0)
+    const Users noted = users[p].load(std::memory_order_relaxed);
+    const std::uint32_t chunk = (noted & ~UsedByOthers) - 1;
+    if (noted == 0)
     {
-      out.UnusedPoints.push_back(static_cast<std::uint32_t>(p));
+      out.UnusedPoints.push_back(p);
+    }
+    else if (noted == chunk + 1)
+    {
+      out.OwnPoints[chunk].push_back(p);
+    }
+    else
+    {
+      all.push_back({ p, chunk });
     }
   }
-  std::vector<Use> all;
-  for (const auto& list : uses)
+  for (std::uint32_t c = 0; c < others.size(); ++c)
   {
-    all.insert(all.end(), list.begin(), list.end());
+    for (const auto p : others[c])
+    {
+      all.push_back({ p, c });
+    }
   }
   std::sort(all.begin(), all.end());
   return all;
@@ -257,8 +268,7 @@ Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkTets,
             .subspan(result.ChunkStart[c], result.ChunkStart[c + 1] - result.ChunkStart[c]));
       });
   }
-  result.OwnPoints = ListPoints(mesh, result);
-  GroupShared(mesh, FindShared(mesh, result.OwnPoints, result), result);
+  GroupShared(mesh, FindShared(mesh, result), result);
   return result;
 }
 }

@@ -108,7 +108,9 @@ void MeshSection::Write(WriterPart& part, const std::function<bool(double)>& pro
   this->WriteBlocks(part, batch);
   batch.Write(this->State.File, SectionMesh);
   part.Chunks.resize(part.Layout.GetChunkCount());
+  this->OwnNumbers.assign(static_cast<std::size_t>(part.Mesh.GetMesh().Points), NotOwn);
   this->WriteChunks(part, progress, encoded);
+  this->OwnNumbers = {};
   this->FindBounds(part);
   part.Layout.Cells = {};
 }
@@ -308,28 +310,51 @@ CellList MeshSection::MakeCells(
 }
 
 //------------------------------------------------------------------------------
-MeshSection::LocalMesh MeshSection::MakeLocalMesh(const WriterPart& part, std::size_t chunk) const
+template <typename NumberOf>
+std::vector<std::array<std::uint32_t, 4>> MeshSection::MakeTets(
+  const WriterPart& part, std::size_t chunk, NumberOf&& numberOf) const
+{
+  const auto cells = part.GetCells(chunk);
+  std::vector<std::array<std::uint32_t, 4>> tets(cells.size());
+  for (std::size_t t = 0; t < tets.size(); ++t)
+  {
+    const auto begin = part.Mesh.GetBegin(cells[t]);
+    for (unsigned i = 0; i < 4; ++i)
+    {
+      tets[t][i] = numberOf(static_cast<std::uint32_t>(part.Mesh.GetId(begin + i)));
+    }
+  }
+  return tets;
+}
+
+//------------------------------------------------------------------------------
+/** Several threads can make those of several chunks. */
+MeshSection::LocalMesh MeshSection::MakeLocalMesh(const WriterPart& part, std::size_t chunk)
 {
   LocalMesh local;
   local.Shared = part.GetSharedPoints(this->State.Table, chunk);
   local.Own = part.Layout.OwnPoints[chunk];
-  LocalIds ids(local.Shared.size() + local.Own.size());
-  for (const auto* points : { &local.Shared, &local.Own })
+  LocalIds shared(local.Shared.size());
+  for (const auto p : local.Shared)
   {
-    for (const auto p : *points)
-    {
-      ids.Add(p);
-    }
+    shared.Add(p);
   }
+  auto number = static_cast<std::uint32_t>(local.Shared.size());
+  for (const auto p : local.Own)
+  {
+    this->OwnNumbers[p] = number++;
+  }
+  const auto numberOf = [&, own = std::span<const std::uint32_t>(this->OwnNumbers)](
+                          std::uint32_t point)
+  { return own[point] != NotOwn ? own[point] : shared[point]; };
   const auto& sizes = this->State.Table.Chunks[part.Place.FirstChunk + chunk].Sizes;
   if (sizes.IsTetrahedral)
   {
-    local.Tets = this->MakeTets(part, chunk, ids);
+    local.Tets = this->MakeTets(part, chunk, numberOf);
   }
   else
   {
-    local.Cells =
-      this->MakeCells(part, chunk, sizes, [&](std::uint32_t point) { return ids[point]; });
+    local.Cells = this->MakeCells(part, chunk, sizes, numberOf);
   }
   return local;
 }
@@ -363,23 +388,6 @@ CellSizes MeshSection::GetSizes(const WriterPart& part, std::size_t chunk) const
   sizes.Corners = static_cast<std::uint32_t>(corners);
   sizes.FaceValues = static_cast<std::uint32_t>(faceValues);
   return sizes;
-}
-
-//------------------------------------------------------------------------------
-std::vector<std::array<std::uint32_t, 4>> MeshSection::MakeTets(
-  const WriterPart& part, std::size_t chunk, const LocalIds& ids) const
-{
-  const auto cells = part.GetCells(chunk);
-  std::vector<std::array<std::uint32_t, 4>> tets(cells.size());
-  for (std::size_t t = 0; t < tets.size(); ++t)
-  {
-    const auto begin = part.Mesh.GetBegin(cells[t]);
-    for (unsigned i = 0; i < 4; ++i)
-    {
-      tets[t][i] = ids[static_cast<std::uint32_t>(part.Mesh.GetId(begin + i))];
-    }
-  }
-  return tets;
 }
 
 //------------------------------------------------------------------------------

@@ -90,9 +90,10 @@ private:
   std::vector<PointKeys> GetPointKeys(
     const WriterPart& part, std::span<const std::uint32_t> points) const;
   CellSizes GetSizes(const WriterPart& part, std::size_t chunk) const;
-  LocalMesh MakeLocalMesh(const WriterPart& part, std::size_t chunk) const;
+  LocalMesh MakeLocalMesh(const WriterPart& part, std::size_t chunk);
+  template <typename NumberOf>
   std::vector<std::array<std::uint32_t, 4>> MakeTets(
-    const WriterPart& part, std::size_t chunk, const LocalIds& ids) const;
+    const WriterPart& part, std::size_t chunk, NumberOf&& numberOf) const;
   template <typename NumberOf>
   CellList MakeCells(
     const WriterPart& part, std::size_t chunk, const CellSizes& sizes, NumberOf&& numberOf) const;
@@ -105,6 +106,11 @@ private:
   WriterState& State;
   PointDomain Domains;
   std::optional<LayerPartition> Layers;
+
+  // The local number of each point that is an own one of a chunk, while chunks are encoded. All
+  // others are NotOwn: no two chunks write or read the same number.
+  std::vector<std::uint32_t> OwnNumbers;
+  static constexpr std::uint32_t NotOwn = 0xffffffffu;
 };
 }
 
