@@ -53,8 +53,7 @@ unsigned SourceFinder::Find(
     std::copy_n(best.begin(), count, this->From.begin());
     used = count;
   }
-  this->AreKnown =
-    std::equal(this->From.begin(), this->From.begin() + used, expected.begin());
+  this->AreKnown = std::equal(this->From.begin(), this->From.begin() + used, expected.begin());
   this->Last = this->From;
   this->Ranks[cell] = static_cast<std::uint32_t>(this->Coded.Items.size());
   return used;
