@@ -334,48 +334,65 @@ private:
     auto& cells = this->Tree.Cells;
     const auto first = this->At.Corner - item.Head;
     const auto rest = item.IsSized ? *this->RestSize++ : item.Rest;
-    this->Hidden.clear();
-    for (std::uint32_t k = 0; k < rest; ++k)
+    const auto near = this->FindNearCorners(item, i);
+    std::uint32_t k = 0;
+    for (; k < rest - item.Hidden; ++k)
     {
-      const auto symbol = *this->Symbol++;
-      auto vertex = this->At.Next;
-      if (symbol == CellTemplate::NewSymbol)
-      {
-        this->Tree.Gates[this->At.Next++] = this->FindRestGate(item, first, k);
-      }
-      else if (symbol == CellTemplate::FarSymbol)
-      {
-        vertex = this->At.Next - 1 - *this->RestFar++;
-      }
-      else
-      {
-        vertex = this->FindNear(item, symbol - CellTemplate::NearSymbol, i);
-      }
-      const bool isBad = vertex >= this->At.Next;
-      this->At.Bad |= static_cast<std::uint32_t>(isBad);
-      vertex = isBad ? 0 : vertex;
-      if (k < rest - item.Hidden)
-      {
-        cells.Corners[this->At.Corner++] = vertex;
-      }
-      else
-      {
-        this->Hidden.push_back(vertex);
-      }
+      cells.Corners[this->At.Corner] = this->MakeCorner(item, near, first, k);
+      ++this->At.Corner;
+    }
+    this->Hidden.clear();
+    for (; k < rest; ++k)
+    {
+      this->Hidden.push_back(this->MakeCorner(item, near, first, k));
     }
     const auto known = std::min<std::size_t>(CellTemplate::MaxHead, this->At.Corner - first);
     std::copy_n(cells.Corners.begin() + first, known, this->Rows[i].begin());
   }
 
-  /** A corner of a source, by its number behind NearSymbol. */
-  std::uint32_t FindNear(const CellTemplate& item, unsigned number, std::uint32_t i)
+  using NearCorners = std::array<std::span<const std::uint32_t>, 4>;
+
+  /** The corners of the sources of a cell. */
+  NearCorners FindNearCorners(const CellTemplate& item, std::uint32_t i) const
   {
     const auto& cells = this->Tree.Cells;
-    const auto source = number / CellTemplate::NearCorners;
-    const auto from = std::min(this->At.From[source], i);
-    const auto corner = cells.Starts[from] + number % CellTemplate::NearCorners;
-    const bool isThere = source < item.Sources && from < i && corner < cells.Starts[from + 1];
-    return isThere ? cells.Corners[corner] : this->Size.Vertices; // which is rejected
+    NearCorners near;
+    for (unsigned s = 0; s < item.Sources; ++s)
+    {
+      const auto from = this->At.From[s];
+      if (from < i)
+      {
+        near[s] = cells.GetCorners(from);
+      }
+    }
+    return near;
+  }
+
+  /** Makes a corner by its symbol. */
+  std::uint32_t MakeCorner(
+    const CellTemplate& item, const NearCorners& near, std::uint32_t first, std::uint32_t k)
+  {
+    const auto symbol = *this->Symbol++;
+    if (symbol == CellTemplate::NewSymbol)
+    {
+      this->Tree.Gates[this->At.Next] = this->FindRestGate(item, first, k);
+      return this->At.Next++;
+    }
+    std::uint32_t vertex = this->At.Next; // which is rejected
+    if (symbol == CellTemplate::FarSymbol)
+    {
+      vertex = this->At.Next - 1 - *this->RestFar++;
+    }
+    else
+    {
+      const unsigned number = symbol - CellTemplate::NearSymbol;
+      const auto& corners = near[number / CellTemplate::NearCorners];
+      const auto corner = number % CellTemplate::NearCorners;
+      vertex = corner < corners.size() ? corners[corner] : vertex;
+    }
+    const bool isBad = vertex >= this->At.Next;
+    this->At.Bad |= static_cast<std::uint32_t>(isBad);
+    return isBad ? 0 : vertex;
   }
 
   PackedTet FindRestGate(const CellTemplate& item, std::uint32_t first, std::uint32_t k) const

@@ -5,6 +5,9 @@
 
 #include "gatunCellSplitter.h"
 
+#include <algorithm>
+#include <type_traits>
+
 namespace gatun
 {
 //------------------------------------------------------------------------------
@@ -51,24 +54,29 @@ std::uint64_t CellStore::GetOffset(std::uint64_t cell) const
 }
 
 //------------------------------------------------------------------------------
-/** Stores the points of a cell, and its faces if it is a polyhedron. */
-void CellStore::StoreCell(const CellList& list, std::size_t cell,
-  std::span<const std::uint64_t> ids, std::uint64_t corner, std::uint64_t faceValue) const
+void CellStore::StoreCorners(std::span<const std::uint32_t> corners,
+  std::span<const std::uint64_t> ids, std::uint64_t first) const
 {
-  for (const auto point : list.GetCorners(cell))
+  const auto store = [&](auto* connectivity)
   {
-    const auto id = ids[point];
-    if (this->Target.WideIds)
-    {
-      static_cast<std::int64_t*>(this->Target.Connectivity)[corner++] =
-        static_cast<std::int64_t>(id);
-    }
-    else
-    {
-      static_cast<std::int32_t*>(this->Target.Connectivity)[corner++] =
-        static_cast<std::int32_t>(id);
-    }
+    using Id = std::remove_pointer_t<decltype(connectivity)>;
+    std::transform(corners.begin(), corners.end(), connectivity + first,
+      [&](std::uint32_t point) { return static_cast<Id>(ids[point]); });
+  };
+  if (this->Target.WideIds)
+  {
+    store(static_cast<std::int64_t*>(this->Target.Connectivity));
   }
+  else
+  {
+    store(static_cast<std::int32_t*>(this->Target.Connectivity));
+  }
+}
+
+//------------------------------------------------------------------------------
+void CellStore::StoreFaces(const CellList& list, std::size_t cell,
+  std::span<const std::uint64_t> ids, std::uint64_t faceValue) const
+{
   if (list.Types[cell] != PolyhedronType)
   {
     return;
@@ -91,6 +99,7 @@ void CellStore::StoreCell(const CellList& list, std::size_t cell,
 void CellStore::Store(const CellList& list, std::span<const std::uint64_t> ids,
   std::uint64_t firstCell, std::uint64_t firstCorner, std::uint64_t firstFaceValue) const
 {
+  this->StoreCorners(list.Corners, ids, firstCorner);
   for (std::size_t cell = 0; cell < list.GetNumber(); ++cell)
   {
     const auto place = firstCell + cell;
@@ -102,7 +111,7 @@ void CellStore::Store(const CellList& list, std::span<const std::uint64_t> ids,
       this->Target.FaceLocations[place] =
         faceValues > 0 ? static_cast<std::int64_t>(firstFaceValue) : -1;
     }
-    this->StoreCell(list, cell, ids, firstCorner, firstFaceValue);
+    this->StoreFaces(list, cell, ids, firstFaceValue);
     firstCorner += list.GetCorners(cell).size();
     firstFaceValue += faceValues;
   }
@@ -158,8 +167,8 @@ void CellStore::StoreAdded(const PlacedCells& cells) const
     const std::uint64_t place = (*cells.Places)[cell];
     const std::int64_t location =
       this->Target.FaceLocations ? this->Target.FaceLocations[place] : 0;
-    this->StoreCell(
-      cells.Cells, cell, cells.Ids, this->GetOffset(place), static_cast<std::uint64_t>(location));
+    this->StoreCorners(cells.Cells.GetCorners(cell), cells.Ids, this->GetOffset(place));
+    this->StoreFaces(cells.Cells, cell, cells.Ids, static_cast<std::uint64_t>(location));
   }
 }
 }

@@ -63,8 +63,10 @@ public:
 private:
   void SetOffset(std::uint64_t cell, std::uint64_t value) const;
   std::uint64_t GetOffset(std::uint64_t cell) const;
-  void StoreCell(const CellList& list, std::size_t cell, std::span<const std::uint64_t> ids,
-    std::uint64_t corner, std::uint64_t faceValue) const;
+  void StoreCorners(std::span<const std::uint32_t> corners, std::span<const std::uint64_t> ids,
+    std::uint64_t first) const;
+  void StoreFaces(const CellList& list, std::size_t cell, std::span<const std::uint64_t> ids,
+    std::uint64_t faceValue) const;
 
   const PieceTarget& Target;
 };

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A chunk of cells of any type from any shapes, counts, box, shared points and streams.
+// A chunk of cells of any type from any shapes, counts, box, shared points and streams, in both
+// profiles.
 
 #include "fuzzMeshes.h"
 #include "gatunCellCodec.h"
@@ -23,7 +24,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
       const auto shapes = ShapeTable::Read(table);
       auto mesh = DecodeCells(frame, shapes, connectivity, geometry);
       fuzz::CheckCells(frame, mesh);
-      ArrayContext(mesh, ContextFits::All);
+      ArrayContext(mesh, fuzz::GetFits(mesh));
       RestoreCorners(mesh.Cells, corners);
       fuzz::CheckCells(frame, mesh);
       fuzz::CheckTets(mesh);

@@ -447,6 +447,21 @@ void CheckKeys(const ArrayFrame& array)
   }
 }
 
+/** What arrays need: the gates of all vertices, or a record and a rule for each own one. */
+void CheckPredictions(const ChunkMesh& mesh, std::size_t records, std::size_t own)
+{
+  const auto& gates = mesh.Walk.Gates;
+  Require(mesh.Walk.HasTree() ? gates.size() == mesh.Keys.size()
+                              : records == own && mesh.UsedRules.size() == own);
+  for (std::uint32_t v = 1; v < gates.size(); ++v)
+  {
+    for (unsigned k = 0; k < 4; ++k)
+    {
+      Require(GetCorner(gates[v], k) < v);
+    }
+  }
+}
+
 namespace
 {
 /** Aborts unless each vertex is one of the chunk's, and every one is there. */
@@ -477,8 +492,8 @@ void CheckCells(const ChunkFrame& frame, const ChunkMesh& mesh)
   Require(cells.GetNumber() == frame.Cells.Cells && walk.Parents.size() == frame.Cells.Cells &&
     cells.Starts.size() == cells.GetNumber() + 1 && cells.Starts.back() == frame.Cells.Corners &&
     cells.Corners.size() == frame.Cells.Corners && cells.Faces.size() == frame.Cells.FaceValues &&
-    walk.Sources.size() == vertices && mesh.Keys.size() == vertices &&
-    walk.CellRecords.size() == frame.OwnPoints && mesh.UsedRules.size() == frame.OwnPoints);
+    walk.Sources.size() == vertices && mesh.Keys.size() == vertices);
+  CheckPredictions(mesh, walk.CellRecords.size(), frame.OwnPoints);
   for (std::size_t c = 0; c < cells.GetNumber(); ++c)
   {
     Require(walk.Parents[c] == Topology::NoTet || walk.Parents[c] < c);
@@ -521,16 +536,7 @@ void CheckChunk(const ChunkFrame& frame, const ChunkMesh& mesh)
   const auto tets = walk.CopyTets();
   Require(tets.size() == frame.Tets && walk.Parents.size() == frame.Tets &&
     walk.Sources.size() == vertices && mesh.Keys.size() == vertices);
-  Require(walk.HasTree()
-      ? walk.Gates.size() == vertices
-      : walk.Records.size() == frame.OwnPoints && mesh.UsedRules.size() == frame.OwnPoints);
-  for (std::uint32_t v = 1; v < walk.Gates.size(); ++v)
-  {
-    for (unsigned k = 0; k < 4; ++k)
-    {
-      Require(GetCorner(walk.Gates[v], k) < v);
-    }
-  }
+  CheckPredictions(mesh, walk.Records.size(), frame.OwnPoints);
   for (std::size_t t = 0; t < tets.size(); ++t)
   {
     for (const auto v : tets[t])

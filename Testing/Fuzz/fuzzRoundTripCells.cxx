@@ -50,6 +50,32 @@ void RequireCells(const CellList& cells, const CellList& input, const EncodedCel
       std::equal(faces.begin(), faces.end(), rightFaces.begin(), rightFaces.end()));
   }
 }
+
+/** Encodes and decodes a chunk. */
+void TryCells(const ChunkFrame& frame, const CellList& cells, const ShapeTable& shapes,
+  const std::vector<PointKeys>& own, Profile profile)
+{
+  const auto shared = frame.SharedKeys.size();
+  const auto encoded = EncodeCells(frame, cells, shapes, own, true, profile);
+  auto decoded =
+    DecodeCells(frame, shapes, fuzz::Copy(encoded.Connectivity), fuzz::Copy(encoded.Geometry));
+  fuzz::CheckCells(frame, decoded);
+  Require(decoded.Keys == encoded.Mesh.Keys && decoded.Cells == encoded.Mesh.Cells &&
+    decoded.Walk.EdgeLog == encoded.Mesh.Walk.EdgeLog);
+  RestoreCorners(decoded.Cells, fuzz::Copy(encoded.Corners));
+  std::vector<std::uint32_t> inputOf;
+  for (Vertex v = 0; v < decoded.Keys.size(); ++v)
+  {
+    const auto source = decoded.Walk.Sources[v];
+    const auto point = decoded.Walk.IsShared(v)
+      ? source & ~Topology::SharedFlag
+      : static_cast<std::uint32_t>(shared) + encoded.OwnOrder[source];
+    Require(decoded.Keys[v] == (point < shared ? frame.SharedKeys[point] : own[point - shared]));
+    inputOf.push_back(point);
+  }
+  RestoreNumbers(decoded.Cells, inputOf);
+  RequireCells(decoded.Cells, cells, encoded);
+}
 }
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
@@ -77,24 +103,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   ShapeTable table;
   table.Add(cells);
   const auto shapes = ShapeTable::Read(fuzz::Copy(table.Write()));
-  const auto encoded = EncodeCells(frame, cells, shapes, own, true);
-  auto decoded =
-    DecodeCells(frame, shapes, fuzz::Copy(encoded.Connectivity), fuzz::Copy(encoded.Geometry));
-  fuzz::CheckCells(frame, decoded);
-  Require(decoded.Keys == encoded.Mesh.Keys && decoded.Cells == encoded.Mesh.Cells &&
-    decoded.Walk.EdgeLog == encoded.Mesh.Walk.EdgeLog);
-  RestoreCorners(decoded.Cells, fuzz::Copy(encoded.Corners));
-  std::vector<std::uint32_t> inputOf;
-  for (Vertex v = 0; v < decoded.Keys.size(); ++v)
+  for (const auto profile : { Profile::Small, Profile::Fast })
   {
-    const auto source = decoded.Walk.Sources[v];
-    const auto point = decoded.Walk.IsShared(v)
-      ? source & ~Topology::SharedFlag
-      : static_cast<std::uint32_t>(shared) + encoded.OwnOrder[source];
-    Require(decoded.Keys[v] == (point < shared ? frame.SharedKeys[point] : own[point - shared]));
-    inputOf.push_back(point);
+    TryCells(frame, cells, shapes, own, profile);
   }
-  RestoreNumbers(decoded.Cells, inputOf);
-  RequireCells(decoded.Cells, cells, encoded);
   return 0;
 }

@@ -518,17 +518,20 @@ void AddCells(Corpus& corpus, std::mt19937& random, bool surfaces)
   }
   ShapeTable table;
   table.Add(cells);
-  const auto encoded = EncodeCells(frame, cells, table, own, true);
-  ByteWriter streams;
-  streams.Put(static_cast<std::uint16_t>(frame.Cells.Corners));
-  streams.Put(static_cast<std::uint16_t>(frame.Cells.FaceValues));
-  for (const auto& part : { table.Write(), encoded.Connectivity, encoded.Geometry })
+  for (const auto profile : { Profile::Small, Profile::Fast })
   {
-    streams.Put(static_cast<std::uint16_t>(part.size()));
-    streams.PutBytes(part);
+    const auto encoded = EncodeCells(frame, cells, table, own, true, profile);
+    ByteWriter streams;
+    streams.Put(static_cast<std::uint16_t>(frame.Cells.Corners));
+    streams.Put(static_cast<std::uint16_t>(frame.Cells.FaceValues));
+    for (const auto& part : { table.Write(), encoded.Connectivity, encoded.Geometry })
+    {
+      streams.Put(static_cast<std::uint16_t>(part.size()));
+      streams.PutBytes(part);
+    }
+    streams.PutBytes(encoded.Corners);
+    corpus.Add("Cells", Join(frameNoise, again, streams.Data));
   }
-  streams.PutBytes(encoded.Corners);
-  corpus.Add("Cells", Join(frameNoise, again, streams.Data));
 }
 
 int main(int argc, char* argv[])

@@ -118,6 +118,8 @@ for name, make in {**MESHES, **SHELLS}.items():
         decoder = check(name, grid, **options)
         modes.update(chunk.geometry.mode for chunk in decoder.chunks if not chunk.is_walk)
         shared += sum(len(chunk.shared_points) for chunk in decoder.chunks)
+        decoder = check(name, grid, Profile=1, **options)
+        assert all(chunk.is_tree for chunk in decoder.chunks if chunk.walk.keys), name
 assert modes == {0, 1, 2} and shared > 1000
 for seed, *arguments in AMONG_MANY:
     grid = meshes.holes_among_many(np.random.default_rng(seed), *arguments)

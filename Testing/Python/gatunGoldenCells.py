@@ -87,6 +87,27 @@ def mixed_cells(rng):
             **ALL_KEPT, "ChunkSize": 150}
 
 
+def fast_cells(rng):
+    """Cells of all kinds in the fast profile: rows, holes, hanging nodes, polyhedra, nonlinear and
+    degenerate ones."""
+    return together([
+        meshes.transition(rng, (3, 2, 2)), meshes.holes(rng, (3, 3, 3)), meshes.torn(rng, (2, 2, 2)),
+        meshes.polygons_in_layers(rng, 2, 2, most=9), meshes.hanging(rng, (3, 2, 2)),
+        meshes.nonlinear(rng, c.VTK_QUADRATIC_HEXAHEDRON, (2, 2, 2)), meshes.degenerate(rng),
+        shells.polygons(rng, 4)]), {**ALL_KEPT, "ChunkSize": 200, "Profile": 1}
+
+
+def fast_cells_in_any_order(rng):
+    """Cells of all types that have nothing to do with each other, in the fast profile."""
+    grid, options = cells_in_any_order(rng)
+    return grid, {**options, "Profile": 1}
+
+
+def fast_hexahedra(rng):
+    """In the order of the file, whose corners are all copied or new."""
+    return meshes.hexahedra(rng, (6, 5, 4), 0.02), {"Profile": 1}
+
+
 def tets_and_hexahedra(rng):
     """Chunks of tetrahedra beside others."""
     return meshes.two_blocks(rng, 3), {**ALL_KEPT, "ChunkSize": 64}
@@ -188,6 +209,11 @@ def surface(_):
     return made, {**ALL_KEPT, "ChunkSize": 64, "times": [0.0, 1.0, 2.5]}
 
 
+def fast_surface(rng):
+    made, options = surface(rng)
+    return made, {**options, "Profile": 1}
+
+
 def surface_in_any_order(_):
     return pd.add_arrays(pd.mixed(8)), {}
 
@@ -244,8 +270,10 @@ def layers_of_lengths(rng):
 
 
 ALL = [
-    two_cells, hexahedra, fitted_hexahedra, mixed_cells, tets_and_hexahedra, cells_around_holes,
+    two_cells, hexahedra, fitted_hexahedra, mixed_cells, fast_cells,
+    fast_cells_in_any_order, fast_hexahedra, tets_and_hexahedra, cells_around_holes,
     corners_of_polyhedra, polyhedra, polygons_and_hanging_nodes,
     cells_in_any_order, degenerate_cells, odd_places_of_cells, nonlinear_cells, shells_of_cells,
-    closed_shell, large_polygons, colliding_places, two_faces, surface, surface_in_any_order, boundary,
+    closed_shell, large_polygons, colliding_places, two_faces, surface, fast_surface,
+    surface_in_any_order, boundary,
     boundary_of_cells, two_layers, layers_of_odd_values, layers_of_lengths]

@@ -20,6 +20,7 @@ from gtn_quadratic import (
     find_cell_places, find_neighbors)
 from gtn_records import CellGeometry
 from gtn_shapes import TETRA
+from gtn_templates import TEMPLATES, TemplateMesh
 from gtn_walk import Geometry, Walk, key_spread
 
 PREVIOUS, GATE, FIT, QUADRATIC, PLAIN_QUADRATIC, FAST = 0, 1, 2, 3, 4, 5
@@ -167,8 +168,13 @@ class ChunkMesh:
         self.domains = domains
         geometry, connectivity = map(container.stream, (chunk.geometry, chunk.connectivity))
         self.is_walk = chunk.cells is None
-        self.is_tree = self.is_walk and connectivity[0] == TREE
-        if self.is_tree:
+        self.is_tree = len(connectivity) > 0 and connectivity[0] == (
+            TREE if self.is_walk else TEMPLATES)
+        if self.is_tree and not self.is_walk:
+            self.walk = TemplateMesh(chunk, connectivity, geometry, domains, shared_keys)
+            tets = [tet for _, tet in self.tets()]
+            require(len(tets) == chunk.tets, "tetrahedra of a chunk of cells")
+        elif self.is_tree:
             self.walk = Tree(chunk, connectivity, geometry, domains, shared_keys)
         elif self.is_walk:
             self.geometry = Geometry(geometry, domains)

@@ -79,6 +79,10 @@ class Tree:
             for i, (a, b, c, d) in enumerate(self.tets):
                 if flips[i // 8] >> i % 8 & 1:
                     self.tets[i] = [a, b, d, c]
+        self.decode_points(geometry, domains, shared_keys)
+
+    def decode_points(self, geometry, domains, shared_keys):
+        """Coordinates (9.5)."""
         stream = Bytes(geometry)
         keys = []
         for i, domain in enumerate(domains):
