@@ -9,6 +9,7 @@ gatun_core_folder(Fast
     gatunNumberStream.h
     gatunPackedBytes.h
     gatunTetTree.h
+    gatunTreeEncoder.h
     gatunTreeSymbols.h
   SOURCES
     gatunGateValues.cxx

@@ -5,7 +5,7 @@
 
 #include "gatunCornerRotation.h"
 #include "gatunGateValues.h"
-#include "gatunTetTree.h"
+#include "gatunTreeEncoder.h"
 
 #include <algorithm>
 #include <array>
