@@ -21,6 +21,7 @@ gatun_core_folder(Fast
     gatunNumberStream.h
     gatunPackedBytes.h
     gatunTetTree.h
+    gatunTreeEncoder.h
     gatunTreeSymbols.h
     gatunVertexNames.h
   SOURCES

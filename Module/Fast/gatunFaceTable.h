@@ -118,14 +118,13 @@ private:
     // there are some to fetch behind the last one.
     std::vector<Face<PairT>> faces(start.back() + 1 + Ahead);
     auto next = start;
-    for (std::size_t face = 0; face < 4 * tets.size(); ++face)
+    for (std::size_t t = 0; t < tets.size(); ++t)
     {
-      if (!IsDegenerate(tets[face / 4]))
+      for (std::uint32_t corner = 0; corner < 4 && !IsDegenerate(tets[t]); ++corner)
       {
-        const auto corners = GetSorted(tets, face);
-        faces[++next[corners[0]]] = { static_cast<PairT>(
-                                        PairT{ corners[1] } << 4 * sizeof(PairT) | corners[2]),
-          static_cast<std::uint32_t>(face) };
+        const auto [low, middle, high] = GetSorted(tets[t], corner);
+        faces[++next[low]] = { static_cast<PairT>(PairT{ middle } << 4 * sizeof(PairT) | high),
+          static_cast<std::uint32_t>(4 * t + corner) };
       }
     }
     for (std::size_t v = 0; v + 1 < start.size(); ++v)
@@ -221,10 +220,8 @@ private:
     }
   }
 
-  static std::array<std::uint32_t, 3> GetSorted(std::span<const Tet> tets, std::size_t face)
+  static std::array<std::uint32_t, 3> GetSorted(const Tet& t, std::uint32_t corner)
   {
-    const auto& t = tets[face / 4];
-    const auto corner = face % 4;
     const auto a = t[corner == 0 ? 1 : 0];
     const auto b = t[corner <= 1 ? 2 : 1];
     const auto c = t[corner <= 2 ? 3 : 2];

@@ -5,12 +5,15 @@
 
 #include "gatunGateRule.h"
 #include "gatunNumberStream.h"
+#include "gatunTreeSymbols.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace gatun
 {
@@ -174,45 +177,108 @@ unsigned FindCopy(PackedTet gate, std::span<const Key> keys, Key key)
   return GateSize;
 }
 
-/** The bits that a sample of the vertices would take. The keys of all are known. */
-template <typename Values>
-double EstimateBits(const Values& values, const GateVertices& vertices, const GateKeys& keys,
-  const GateWeights& weights, bool copies)
+/** A vertex of a sample from which the encoder chooses a rule. */
+template <typename Number>
+struct GateSample
 {
-  using Number = typename Values::Number;
-  constexpr std::size_t samples = 1024;
-  const auto scaled = ScaleWeights<Number>(weights);
-  const auto step = std::max<std::size_t>(1, keys.Now.size() / samples);
-  std::array<std::uint32_t, 64 + GateSize + 1> counts{};
-  double bits = 0;
-  double all = 0;
+  std::array<Number, GateSize> Gate;
+  std::array<Number, GateSize> GateBefore{};
+  Number NumberBefore = 0;
+  Key Wanted;
+  unsigned Copy; // as FindCopy
+};
+
+/** The keys of all vertices are known. */
+template <typename Values>
+std::vector<GateSample<typename Values::Number>> TakeSamples(
+  const Values& values, const GateVertices& vertices, const GateKeys& keys)
+{
+  constexpr std::size_t most = 1024;
+  const auto step = std::max<std::size_t>(1, keys.Now.size() / most);
+  std::vector<GateSample<typename Values::Number>> samples;
+  samples.reserve(keys.Now.size() / step);
   for (std::size_t v = 1; v < keys.Now.size(); v += step)
   {
+    auto& sample = samples.emplace_back();
     const auto gate = vertices.Gates[v];
-    const auto predict = [&](std::span<const Key> from)
+    for (unsigned k = 0; k < GateSize; ++k)
     {
-      return PredictBy(
-        scaled, gate, [&](std::uint32_t u) -> Number { return values.ToNumber(from[u]); });
-    };
-    const Number number = keys.Use == BeforeUse::Change
-      ? values.ToNumber(keys.Before[v]) + (predict(keys.Now) - predict(keys.Before))
-      : predict(keys.Now);
-    auto length = static_cast<unsigned>(
-      std::bit_width(values.Subtract(keys.Now[v], values.FromNumber(number))));
-    const auto copy = copies && length > 0 ? FindCopy(gate, keys.Now, keys.Now[v]) : GateSize;
-    if (copy < GateSize)
-    {
-      length = values.GetBits() + 1 + copy;
+      sample.Gate[k] = values.ToNumber(keys.Now[GetCorner(gate, k)]);
     }
-    ++counts[length];
-    bits += length <= values.GetBits() ? GetLowBits(length) : 0;
-    ++all;
+    if (keys.Use == BeforeUse::Change)
+    {
+      for (unsigned k = 0; k < GateSize; ++k)
+      {
+        sample.GateBefore[k] = values.ToNumber(keys.Before[GetCorner(gate, k)]);
+      }
+      sample.NumberBefore = values.ToNumber(keys.Before[v]);
+    }
+    sample.Wanted = keys.Now[v];
+    sample.Copy = FindCopy(gate, keys.Now, sample.Wanted);
   }
-  for (const auto count : counts)
+  return samples;
+}
+
+/** The bits of the lengths of numbers, each of which occurs so often, and of the numbers. */
+class BitCount
+{
+public:
+  void Add(unsigned length, unsigned lowBits)
   {
-    bits += count > 0 ? count * std::log2(all / count) : 0;
+    ++this->Counts[length];
+    this->Bits += lowBits;
+    ++this->All;
   }
-  return bits;
+
+  double GetSum() const
+  {
+    double bits = this->Bits;
+    for (const auto count : this->Counts)
+    {
+      bits += count > 0 ? count * std::log2(this->All / count) : 0;
+    }
+    return bits;
+  }
+
+private:
+  std::array<std::uint32_t, 64 + GateSize + 1> Counts{};
+  double Bits = 0;
+  double All = 0;
+};
+
+/** The bits that a sample of the vertices would take, without and with copies. */
+template <typename Values>
+std::array<double, 2> EstimateBits(const Values& values,
+  std::span<const GateSample<typename Values::Number>> samples, const GateWeights& weights,
+  BeforeUse use)
+{
+  using Number = typename Values::Number;
+  const auto scaled = ScaleWeights<Number>(weights);
+  const auto predict = [&](const std::array<Number, GateSize>& gate)
+  {
+    return PredictBy(
+      scaled, TreeSymbols::Pack(0, 1, 2, 3), [&](std::uint32_t k) -> Number { return gate[k]; });
+  };
+  BitCount plain;
+  BitCount copied;
+  for (const auto& sample : samples)
+  {
+    const Number number = use == BeforeUse::Change
+      ? sample.NumberBefore + (predict(sample.Gate) - predict(sample.GateBefore))
+      : predict(sample.Gate);
+    const auto length = static_cast<unsigned>(
+      std::bit_width(values.Subtract(sample.Wanted, values.FromNumber(number))));
+    plain.Add(length, GetLowBits(length));
+    if (length > 0 && sample.Copy < GateSize)
+    {
+      copied.Add(values.GetBits() + 1 + sample.Copy, 0);
+    }
+    else
+    {
+      copied.Add(length, GetLowBits(length));
+    }
+  }
+  return { plain.GetSum(), copied.GetSum() };
 }
 
 template <typename Values>
@@ -223,17 +289,18 @@ VertexRule ChooseRule(const Values& values, const GateVertices& vertices, const 
   {
     return best;
   }
+  const auto samples = TakeSamples(values, vertices, keys);
   double least = std::numeric_limits<double>::infinity();
   for (const auto& weights : CommonWeights)
   {
+    const auto bits = EstimateBits<Values>(values, samples, weights, keys.Use);
     for (const bool copies : { false, true })
     {
       // Copies are slower to decode.
       const double worth = copies ? 0.98 : 1;
-      const double bits = EstimateBits(values, vertices, keys, weights, copies);
-      if (bits < worth * least)
+      if (bits[copies] < worth * least)
       {
-        least = bits;
+        least = bits[copies];
         best = { weights, copies };
       }
     }

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "gatunTreeEncoder.h"
+
 #include "gatunFaceTable.h"
+#include "gatunInline.h"
 #include "gatunNumberStream.h"
 #include "gatunPrefetch.h"
-#include "gatunTetTree.h"
 #include "gatunTreeSymbols.h"
 #include "gatunVertexNames.h"
 
@@ -31,25 +33,43 @@ constexpr std::size_t RowsAhead = 16;
 constexpr std::uint16_t NoApex = 0xffff;
 static_assert(TetTree::MaxVertices <= NoApex);
 
-/** The place of a vertex among the corners of a tetrahedron that has it. Without branches. */
+/** The place of a vertex among the corners of a tetrahedron that has it. Without branches, because
+ * it is random. */
 unsigned FindPlace(const InputTet& corners, std::uint32_t vertex)
 {
-  return unsigned{ corners[1] == vertex } | 2 * unsigned{ corners[2] == vertex } |
-    3 * unsigned{ corners[3] == vertex };
+  const unsigned isOdd = unsigned{ corners[1] == vertex } | unsigned{ corners[3] == vertex };
+  const unsigned isHigh = unsigned{ corners[2] == vertex } | unsigned{ corners[3] == vertex };
+  return isOdd | isHigh << 1;
 }
 
-/** The ranks of the places where symbols find a vertex, from the first one to try. */
-constexpr auto SymbolsByRank = []
+/** The symbols in the order in which they are tried, and the ranks that they have in it, for
+ * tetrahedra in the order of memory: those before this one, behind the parent, and before it. */
+struct SymbolRanks
 {
-  std::array<std::uint8_t, 3 * Reach + 1> symbols{};
+  static constexpr std::int16_t None = 3 * Reach;
+
+  std::array<std::uint8_t, None + 1> Symbols{};
+  std::array<std::int16_t, Reach> Near{};
+  std::array<std::int16_t, Reach> Behind{};
+  std::array<std::int16_t, Reach> Ahead{};
+};
+
+constexpr auto Ranks = []
+{
+  SymbolRanks ranks;
+  const auto add = [&ranks](std::int16_t& place, unsigned rank, unsigned symbol)
+  {
+    place = static_cast<std::int16_t>(rank);
+    ranks.Symbols[rank] = static_cast<std::uint8_t>(symbol);
+  };
   for (unsigned k = 0; k < Reach; ++k)
   {
-    symbols[k] = static_cast<std::uint8_t>(Before + k);
-    symbols[Reach + 2 * k] = static_cast<std::uint8_t>(BehindParent + k);
-    symbols[Reach + 2 * k + 1] = static_cast<std::uint8_t>(BeforeParent + k);
+    add(ranks.Near[Reach - 1 - k], k, Before + k);
+    add(ranks.Behind[k], Reach + 2 * k, BehindParent + k);
+    add(ranks.Ahead[Reach - 1 - k], Reach + 2 * k + 1, BeforeParent + k);
   }
-  symbols[std::size_t{ 3 } * Reach] = Far;
-  return symbols;
+  ranks.Symbols[SymbolRanks::None] = Far;
+  return ranks;
 }();
 
 class TreeEncoder
@@ -83,11 +103,9 @@ public:
         this->AddRoot(this->Visits.FindFirst());
       }
       this->FetchAhead(head);
-      unsigned mask = 0;
-      for (unsigned face = 0; face < FaceCount; ++face)
-      {
-        mask |= this->Attach(head, face) ? 1u << face : 0;
-      }
+      unsigned mask = this->Attach<0>(head);
+      mask |= this->Attach<1>(head);
+      mask |= this->Attach<2>(head);
       this->Masks[head / 2] |= static_cast<std::uint8_t>(mask << head % 2 * 3);
     }
     this->Result.Tree.Sources = MakeSources(this->InputOf, this->Shared);
@@ -162,64 +180,79 @@ private:
       TetTree::NoTet);
   }
 
-  /** Attaches the tetrahedron over a face, if there is one. */
-  bool Attach(std::uint32_t head, unsigned face)
+  /** Attaches the tetrahedron over a face, if there is one. Returns the bit of the face. */
+  template <unsigned Face>
+  GATUN_INLINE unsigned Attach(std::uint32_t head)
   {
+    constexpr std::array<unsigned, 3> corners{ Face == 0 ? 1
+        : Face == 1                                      ? 2
+                                                         : 0,
+      Face == 0     ? 2
+        : Face == 1 ? 0
+                    : 1,
+      3 };
     const auto parentTurn = EncodedTree::GetPlaces(this->Result.Turns[head]);
     const auto& parentRow = this->Faces.Rows[this->Result.TetOrder[head]];
-    const auto over = this->Visits.Find(parentRow.Over[parentTurn[face]]);
+    const auto over = this->Visits.Find(parentRow.Over[parentTurn[Face]]);
     if (over == FaceTable::None)
     {
-      return false;
+      return 0;
     }
     const auto& row = this->Faces.Rows[over / 4];
     const auto place = [&](unsigned corner)
     { return FindPlace(row.Corners, parentRow.Corners[parentTurn[corner]]); };
-    constexpr std::array<std::array<unsigned, 3>, FaceCount> corners{ { { 1, 2, 3 }, { 2, 0, 3 },
-      { 0, 1, 3 } } };
-    const auto turn =
-      place(corners[face][0]) | place(corners[face][1]) << 2 | place(corners[face][2]) << 4;
+    const auto turn = place(corners[0]) | place(corners[1]) << 2 | place(corners[2]) << 4;
     const auto parent = this->Result.Tree.Tets[head];
-    const auto gate = GetFace(parent, FaceShifts[face]);
-    const auto input = row.Corners[over % 4];
-    std::uint32_t apex = this->Numbers[input];
+    const auto gate = GetFace(parent, FaceShifts[Face]) & LowThree;
+    const auto apex = this->NameApex(
+      row.Corners[over % 4], head, gate | PackedTet{ GetCorner(parent, Face) } << 48);
+    this->Add(over / 4, turn, gate | PackedTet{ apex } << 48, head);
+    return 1u << Face;
+  }
+
+  /** Writes the symbol of the next tetrahedron. gate: that of its apex if this is new. */
+  std::uint32_t NameApex(std::uint32_t input, std::uint32_t parent, PackedTet gate)
+  {
+    const auto apex = this->Numbers[input];
     if (apex == Unmet)
     {
       this->Classes.push_back(New);
-      apex = this->Meet(input, (gate & LowThree) | PackedTet{ GetCorner(parent, face) } << 48);
+      return this->Meet(input, gate);
     }
-    else
+    const auto symbol = this->FindSymbol(parent, apex);
+    this->Classes.push_back(symbol);
+    if (symbol == Far)
     {
-      const auto symbol = this->FindSymbol(head, static_cast<std::uint16_t>(apex));
-      this->Classes.push_back(symbol);
-      if (symbol == Far)
-      {
-        this->Fars.Put(this->GetNext() - 1 - apex);
-      }
+      this->Fars.Put(this->GetNext() - 1 - apex);
     }
-    this->Add(over / 4, turn, (gate & LowThree) | PackedTet{ apex } << 48, head);
-    return true;
+    return apex;
   }
 
-  /** The first symbol that names a vertex as the fourth corner of a near tetrahedron. Without
-   * branches. */
+  /** The first symbol that names a vertex as the fourth corner of a near tetrahedron. Compares
+   * eight at once. */
   std::uint8_t FindSymbol(std::uint32_t parent, std::uint16_t apex) const
   {
-    const auto* here = this->Apexes.data() + PaddedTets::Padding + this->Result.TetOrder.size();
-    const auto* around = this->Apexes.data() + PaddedTets::Padding + parent;
-    constexpr std::int16_t none = 3 * Reach;
-    std::int16_t least = none;
-    for (std::int16_t k = 0; k < static_cast<std::int16_t>(Reach); ++k)
+    const auto* tets = this->Apexes.data() + PaddedTets::Padding;
+    const auto* near = tets + this->Result.TetOrder.size() - Reach;
+    const auto* behind = tets + parent + 1;
+    const auto* ahead = tets + parent - Reach;
+    const auto rank = [apex](std::uint16_t found, std::int16_t of)
+    { return found == apex ? of : SymbolRanks::None; };
+    std::array<std::int16_t, Reach> ranks;
+    for (unsigned k = 0; k < Reach; ++k)
     {
-      // In the order of memory.
-      const auto back = static_cast<std::int16_t>(Reach - 1 - k);
-      const std::int16_t before = here[k - std::ptrdiff_t{ Reach }] == apex ? back : none;
-      const auto behind = static_cast<std::int16_t>(around[k + 1] == apex ? Reach + 2 * k : none);
-      const auto ahead = static_cast<std::int16_t>(
-        around[k - std::ptrdiff_t{ Reach }] == apex ? Reach + 2 * back + 1 : none);
-      least = std::min({ least, before, behind, ahead });
+      const auto first = rank(near[k], Ranks.Near[k]);
+      const auto second = rank(behind[k], Ranks.Behind[k]);
+      const auto third = rank(ahead[k], Ranks.Ahead[k]);
+      const auto last = second < third ? second : third;
+      ranks[k] = first < last ? first : last;
     }
-    return SymbolsByRank[static_cast<std::size_t>(least)];
+    std::int16_t least = ranks[0];
+    for (const auto other : ranks)
+    {
+      least = other < least ? other : least;
+    }
+    return Ranks.Symbols[static_cast<std::size_t>(least)];
   }
 
   /** Marks the tetrahedra that have another orientation than their neighbors. */

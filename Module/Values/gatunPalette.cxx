@@ -56,7 +56,7 @@ void PaletteBuilder::Add(
       continue;
     }
     last = key;
-    if (this->Distinct.insert(key).second && this->Distinct.size() > this->Most)
+    if (this->Distinct.Add(key) && this->Distinct.GetSize() > this->Most)
     {
       this->Most = 0;
       this->Distinct = {};
@@ -68,7 +68,7 @@ void PaletteBuilder::Add(
 //------------------------------------------------------------------------------
 void PaletteBuilder::Compress()
 {
-  this->Sorted.insert(this->Sorted.end(), this->Distinct.begin(), this->Distinct.end());
+  this->Distinct.AppendTo(this->Sorted);
   this->Distinct = {};
   std::sort(this->Sorted.begin(), this->Sorted.end());
   this->Sorted.erase(std::unique(this->Sorted.begin(), this->Sorted.end()), this->Sorted.end());

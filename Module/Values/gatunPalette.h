@@ -8,11 +8,13 @@
 #include "gatunDomain.h"
 #include "gatunTypes.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <span>
-#include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace gatun
@@ -24,6 +26,74 @@ enum class PaletteUse : std::uint8_t
 {
   Array,
   Coordinates ///< may have a palette of values at even distances
+};
+
+/** Different keys. A hash table with linear probing that is at most half full. */
+class KeySet
+{
+public:
+  /** Whether a key was new. */
+  bool Add(Key key)
+  {
+    if (key == None)
+    {
+      return !std::exchange(this->HasNone, true);
+    }
+    if (2 * (this->Used + 1) > this->Slots.size())
+    {
+      this->Grow();
+    }
+    auto& slot = this->Slots[this->FindSlot(key)];
+    const bool isNew = slot == None;
+    slot = key;
+    this->Used += isNew ? 1 : 0;
+    return isNew;
+  }
+
+  std::size_t GetSize() const { return this->Used + (this->HasNone ? 1 : 0); }
+
+  /** Appends the keys in any order. */
+  void AppendTo(std::vector<Key>& keys) const
+  {
+    std::copy_if(this->Slots.begin(), this->Slots.end(), std::back_inserter(keys),
+      [](Key key) { return key != None; });
+    if (this->HasNone)
+    {
+      keys.push_back(None);
+    }
+  }
+
+private:
+  static constexpr Key None = 0; // in slots that are free
+
+  /** The slot of a key, or the free one where it belongs. */
+  std::size_t FindSlot(Key key) const
+  {
+    const auto mask = this->Slots.size() - 1;
+    auto at = static_cast<std::size_t>((key * Key{ 0x9e3779b97f4a7c15u }) >> 32) & mask;
+    while (this->Slots[at] != None && this->Slots[at] != key)
+    {
+      at = (at + 1) & mask;
+    }
+    return at;
+  }
+
+  void Grow()
+  {
+    const auto before = std::exchange(
+      this->Slots, std::vector<Key>(std::max<std::size_t>(64, 2 * this->Slots.size()), None));
+    for (const auto key : before)
+    {
+      if (key != None)
+      {
+        this->Slots[this->FindSlot(key)] = key;
+      }
+    }
+  }
+
+  std::vector<Key> Slots;
+  std::size_t Used = 0;
+  bool HasNone = false;
 };
 
 /** Collects the distinct values of a component whose tuples come in parts. */
@@ -57,7 +127,7 @@ private:
   ScalarType Type;
   std::size_t Most;
   std::vector<Key> Sorted;
-  std::unordered_set<Key> Distinct; // may contain some of the sorted ones
+  KeySet Distinct; // may contain some of the sorted ones
 };
 
 Bytes EncodePalette(ScalarType type, const Palette& palette);

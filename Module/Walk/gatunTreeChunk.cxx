@@ -5,6 +5,7 @@
 
 #include "gatunCornerRotation.h"
 #include "gatunTetTree.h"
+#include "gatunTreeEncoder.h"
 #include "gatunTreeKeys.h"
 
 #include <algorithm>

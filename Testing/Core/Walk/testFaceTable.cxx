@@ -106,9 +106,26 @@ TEST(FaceTable, FindsTheFacesOfSoups)
   }
 }
 
+TEST(FaceTable, FindsTheFacesOfLargeNumbers)
+{
+  // Pairs of them do not fit 32 bits, up to those that just do.
+  for (const std::uint32_t first : { 65400u, 65500u, 65533u, 1000000u })
+  {
+    auto soup = MakeFaceSoup(2000, 30);
+    for (auto& tet : soup)
+    {
+      for (auto& corner : tet)
+      {
+        corner += first;
+      }
+    }
+    ExpectRight(soup);
+  }
+}
+
 TEST(FaceTable, FindsTheFacesOfFans)
 {
-  // Vertex 0 is the lowest corner of most faces, so its bucket is sorted instead of compared.
+  // Vertex 0 is the lowest corner of most faces, so its bucket is sorted instead of hashed.
   Tets fan;
   for (std::uint32_t i = 0; i < 5000; ++i)
   {
