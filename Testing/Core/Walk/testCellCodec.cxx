@@ -216,6 +216,71 @@ TEST(CellCodec, RejectsDamagedStreams)
   ExpectSafeCells(MakeCellCase(MakeZoo(60, 120, 1), { .IsShared = IsInLeftPart }));
 }
 
+TEST(CellCodec, CopiesCornersInTheFastProfile)
+{
+  auto mesh = MakeHexes(20, 0.1);
+  ShuffleCells(mesh);
+  const auto hexes = ExpectRoundTripOf(MakeCellCase(mesh), {}, Profile::Fast);
+  EXPECT_LT(GetBits(hexes.Connectivity, hexes), 4);
+  // Only the first cell has nothing to copy from.
+  const auto& parents = hexes.Mesh.Walk.Parents;
+  EXPECT_EQ(std::count(parents.begin(), parents.end(), Topology::NoTet), 1);
+}
+
+TEST(CellCodec, HasWalksWhereVerticesAreTooManyForTheFastProfile)
+{
+  const auto many = MakePoints(TetTree::MaxVertices + 1);
+  auto mesh = many;
+  mesh.Add(2, Count(TetTree::MaxVertices));
+  EXPECT_TRUE(ExpectRoundTripOf(MakeCellCase(mesh), {}, Profile::Fast).Mesh.Walk.HasTree());
+  mesh = many;
+  mesh.Add(2, Count(TetTree::MaxVertices + 1));
+  EXPECT_FALSE(ExpectRoundTripOf(MakeCellCase(mesh), {}, Profile::Fast).Mesh.Walk.HasTree());
+}
+
+TEST(CellCodec, HandlesLargeDegenerateMeshes)
+{
+  // An algorithm of quadratic cost would take hours and exceed the time limit of the test.
+  auto fan = MakePoints(40000);
+  auto dust = MakePoints(40000);
+  auto same = MakePoints(40000);
+  auto strips = MakePoints(40000);
+  for (std::uint32_t i = 0; i + 16 < 40000; ++i)
+  {
+    fan.Add(5, { 0, i + 1, i + 2 });
+    if (i % 8 == 0)
+    {
+      dust.Add(12, Count(8, i));
+    }
+    same.Add(12, Count(8));
+    strips.Add(6, Count(9 + i % 7, i));
+  }
+  for (const auto* mesh : { &fan, &dust, &same, &strips })
+  {
+    ExpectRoundTripOf(MakeCellCase(*mesh), {}, Profile::Fast);
+  }
+}
+
+TEST(CellCodec, SurvivesEveryDamagedByteInTheFastProfile)
+{
+  auto hexes = MakeHexes(4, 0.1);
+  ShuffleCells(hexes);
+  for (const auto& mesh : { hexes, MakeZoo(60, 60, 3) })
+  {
+    const auto chunk = MakeCellCase(mesh, { .IsShared = IsInLeftPart });
+    const auto encoded = ExpectRoundTripOf(chunk, {}, Profile::Fast);
+    for (std::size_t at = 0; at < encoded.Connectivity.size(); ++at)
+    {
+      auto damaged = encoded.Connectivity;
+      for (const std::uint8_t change : { 1, 2, 128, 255 })
+      {
+        damaged[at] = encoded.Connectivity[at] ^ change;
+        ExpectNoCrash(chunk, damaged, encoded.Geometry, encoded.Corners);
+      }
+    }
+  }
+}
+
 TEST(CellCodec, BoundsMemoryByTheLengthOfTheStream)
 {
   auto chunk = MakeCellCase(MakeHexes(2, 0));
