@@ -7,6 +7,7 @@
 #include "gatunCellCodec.h"
 #include "gatunChunkTets.h"
 #include "gatunFloatEnvironment.h"
+#include "gatunLocalIds.h"
 #include "gatunPalette.h"
 #include "gatunParallel.h"
 

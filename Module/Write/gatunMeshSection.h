@@ -7,7 +7,6 @@
 #include "gatunArrayCodec.h"
 #include "gatunCellList.h"
 #include "gatunLayerPartition.h"
-#include "gatunLocalIds.h"
 #include "gatunPalette.h"
 #include "gatunWriterPart.h"
 #include "gatunWriterState.h"
