@@ -190,8 +190,8 @@ public:
 
   ///@{
   /**
-   * Whether the file is optimized for size or for reading speed. In fast files, tetrahedra take up
-   * to twice the space. Default: PROFILE_SMALL.
+   * Whether the file is optimized for size or for reading speed. Fast files take up to twice the
+   * space. Default: PROFILE_SMALL.
    */
   enum ProfileType
   {

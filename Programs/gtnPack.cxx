@@ -305,8 +305,8 @@ void AddPack(CLI::App& app, Settings& settings)
     ->option_text("WHAT");
   command
     ->add_option("--profile", options->Profile,
-      "Optimize the file for size (small) or for reading speed (fast; tetrahedra take up to twice "
-      "the space) (default: small)")
+      "Optimize the file for size (small) or for reading speed (fast; takes up to twice the space) "
+      "(default: small)")
     ->check(CLI::IsMember({ "small", "fast" }))
     ->option_text("WHAT");
   command

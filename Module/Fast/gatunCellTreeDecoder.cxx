@@ -307,12 +307,16 @@ private:
     FindSources(at, item, i);
     this->FindPlaces(at, item, i, places);
     auto& cells = this->Tree.Cells;
-    auto* const row = this->Rows[i].data();
+    // Rows are written in whole words, as they are read soon: processors wait for smaller parts.
+    const auto& head = item.From;
+    const std::array<PackedTet, 2> halves{ TreeSymbols::Pack(places[head[0]], places[head[1]],
+                                             places[head[2]], places[head[3]]),
+      TreeSymbols::Pack(places[head[4]], places[head[5]], places[head[6]], places[head[7]]) };
+    std::memcpy(this->Rows[i].data(), halves.data(), sizeof(halves));
     auto* const corners = cells.Corners.data() + at.Corner;
     for (unsigned k = 0; k < CellTemplate::MaxHead; ++k)
     {
-      row[k] = places[item.From[k]];
-      corners[k] = places[item.From[k]];
+      corners[k] = GetCorner(halves[k / 4], k % 4);
     }
     auto* gate = this->Tree.Gates.data() + at.Next;
     for (unsigned w = 0; w < item.News; ++w)

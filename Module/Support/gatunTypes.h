@@ -209,7 +209,7 @@ struct Bounds : std::array<Range, 3>
 enum class Profile : std::uint8_t
 {
   Small, ///< size
-  Fast   ///< reading speed; tetrahedra take up to twice the space
+  Fast   ///< reading speed; takes up to twice the space
 };
 
 /** Flags: the parts of the original order that a file keeps. */

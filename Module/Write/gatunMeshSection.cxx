@@ -63,6 +63,10 @@ void MeshSection::AddChunks(const WriterPart& part)
   {
     ++this->State.TypeCounts[mesh.GetType(cell)];
   }
+  if (this->State.Options.Coding == Profile::Fast)
+  {
+    return; // Hardly any chunk would have use for shapes.
+  }
   std::vector<ShapeTable> shapes(part.Layout.GetChunkCount());
   ParallelFor(shapes.size(),
     [&](std::size_t chunk)
