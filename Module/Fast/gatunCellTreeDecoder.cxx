@@ -199,15 +199,15 @@ private:
     if (this->All.HasFaces)
     {
       cells.FaceStarts.resize(std::size_t{ count } + 1);
-      cells.Faces.reserve(this->Size.FaceValues);
+      cells.Faces.resize(this->Size.FaceValues);
     }
     for (std::uint32_t i = 0; i < count;)
     {
       const auto end = this->MakePlain(i);
       if (this->All.HasFaces)
       {
-        std::fill(cells.FaceStarts.begin() + i + 1, cells.FaceStarts.begin() + end + 1,
-          static_cast<std::uint32_t>(cells.Faces.size()));
+        std::fill(
+          cells.FaceStarts.begin() + i + 1, cells.FaceStarts.begin() + end + 1, this->FaceValue);
       }
       i = end;
       if (i < count)
@@ -424,15 +424,17 @@ private:
       const auto& pattern = this->Templates.Patterns[item.Pattern];
       const auto* const corners = cells.Corners.data() + cells.Starts[i];
       const auto points = this->At.Corner - cells.Starts[i];
+      auto* const faces = cells.Faces.data() + this->FaceValue;
       for (std::size_t k = 0; k < pattern.Values.size(); ++k)
       {
         const auto value = pattern.Values[k];
-        cells.Faces.push_back(pattern.IsSize[k] != 0 ? value
-            : value < points                         ? corners[value]
-                                                     : this->Hidden[value - points]);
+        faces[k] = pattern.IsSize[k] != 0 ? value
+          : value < points                ? corners[value]
+                                          : this->Hidden[value - points];
       }
+      this->FaceValue += static_cast<std::uint32_t>(pattern.Values.size());
     }
-    cells.FaceStarts[i + 1] = static_cast<std::uint32_t>(cells.Faces.size());
+    cells.FaceStarts[i + 1] = this->FaceValue;
   }
 
   ByteReader& In;
@@ -452,6 +454,7 @@ private:
   std::vector<std::uint32_t> Hidden;
 
   Position At;
+  std::uint32_t FaceValue = 0; // values of faces so far
   const std::uint32_t* RestSize = nullptr;
   const std::uint8_t* Symbol = nullptr;
   const std::uint16_t* RestFar = nullptr;

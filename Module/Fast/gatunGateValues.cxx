@@ -32,8 +32,6 @@ class SingleValues
 public:
   using Number = float;
 
-  explicit SingleValues(const Domain&) {}
-
   static unsigned GetBits() { return 32; }
   static float ToNumber(Key key) { return static_cast<float>(Float32Domain::ToNumber(key)); }
   static Key FromNumber(float number)
@@ -51,13 +49,15 @@ public:
   static bool IsValid(Key) { return true; }
 };
 
-/** Values of any domain, which are predicted in binary64. */
-class AnyValues
+/** Values of other domains, which are predicted in binary64. DomainT: Domain, or a class that does
+ * the same for some of them in less time. */
+template <typename DomainT>
+class DoubleValues
 {
 public:
   using Number = double;
 
-  explicit AnyValues(const Domain& domain)
+  explicit DoubleValues(const DomainT& domain)
     : Values(domain)
   {
   }
@@ -76,7 +76,7 @@ public:
   bool IsValid(Key key) const { return this->Values.IsValid(key); }
 
 private:
-  const Domain& Values;
+  const DomainT Values;
 };
 
 /** Calls code(values) with a class for the values of the domain. */
@@ -85,11 +85,19 @@ void WithValues(const Domain& domain, Code&& code)
 {
   if (Float32Domain::Matches(domain))
   {
-    code(SingleValues(domain));
+    code(SingleValues());
+  }
+  else if (ShiftedFloat32Domain::Matches(domain))
+  {
+    code(DoubleValues(ShiftedFloat32Domain(domain)));
+  }
+  else if (BinaryDomain::Matches(domain))
+  {
+    code(DoubleValues(BinaryDomain(domain)));
   }
   else
   {
-    code(AnyValues(domain));
+    code(DoubleValues(domain));
   }
 }
 
