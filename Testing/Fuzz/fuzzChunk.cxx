@@ -17,7 +17,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
     {
       const auto mesh = DecodeChunk(frame, connectivity, geometry);
       fuzz::CheckChunk(frame, mesh);
-      ArrayContext(mesh, ContextFits::All);
+      ArrayContext(mesh, fuzz::GetFits(mesh));
     });
   return 0;
 }

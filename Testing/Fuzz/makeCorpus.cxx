@@ -155,16 +155,18 @@ void AddChunks(Corpus& corpus, std::mt19937& random)
       keys[axis] = fuzz::TakeKey(in, frame.Domains[axis]);
     }
   }
-  const auto encoded = EncodeChunk(frame, tets, own);
-  const auto add = [&](const Bytes& geometry)
+  const auto add = [&](const EncodedChunk& chunk, const Bytes& geometry)
   {
     ByteWriter streams;
-    streams.Put(static_cast<std::uint16_t>(encoded.Connectivity.size()));
-    streams.PutBytes(encoded.Connectivity);
+    streams.Put(static_cast<std::uint16_t>(chunk.Connectivity.size()));
+    streams.PutBytes(chunk.Connectivity);
     streams.PutBytes(geometry);
     corpus.Add("Chunk", Join(frameNoise, again, streams.Data));
   };
-  add(encoded.Geometry);
+  const auto fast = EncodeChunk(frame, tets, own, Profile::Fast);
+  add(fast, fast.Geometry);
+  const auto encoded = EncodeChunk(frame, tets, own);
+  add(encoded, encoded.Geometry);
   // Such chunks get no frames from the encoder.
   auto geometry = encoded.Geometry;
   const auto rules = geometry[0] & 0x7F;
@@ -177,13 +179,13 @@ void AddChunks(Corpus& corpus, std::mt19937& random)
       weights.Put(static_cast<std::int16_t>(weight));
     }
     geometry.insert(geometry.begin() + 1 + 14 * rules, weights.Data.begin(), weights.Data.end());
-    add(geometry);
+    add(encoded, geometry);
   }
 }
 
-void AddArrays(Corpus& corpus, std::mt19937& random)
+void AddArrays(Corpus& corpus, std::mt19937& random, Profile profile)
 {
-  const fuzz::SmallChunk chunk;
+  const fuzz::SmallChunk chunk(profile);
   const auto noise = MakeNoise(8192, random);
   const auto fill = [&](fuzz::ArrayFrame& array, bool onLattice)
   {
@@ -211,7 +213,8 @@ void AddArrays(Corpus& corpus, std::mt19937& random)
     cells.Parents.empty() || std::any_of(cells.Domains.begin(), cells.Domains.end(), isOnLattice));
   corpus.Add("CellValues",
     Join(noise, cellNoise,
-      EncodeCellValues({ cells.Parents, &fuzz::GetTupleFit() }, cells.Domains, cells.Keys)));
+      EncodeCellValues(
+        { cells.Parents, &fuzz::GetTupleFit(), profile }, cells.Domains, cells.Keys)));
 }
 
 void AddPalette(Corpus& corpus, std::mt19937& random)
@@ -548,7 +551,8 @@ int main(int argc, char* argv[])
   {
     AddChunks(corpus, random);
     AddCells(corpus, random, i % 4 == 3);
-    AddArrays(corpus, random);
+    AddArrays(corpus, random, Profile::Small);
+    AddArrays(corpus, random, Profile::Fast);
   }
   for (unsigned i = 0; i < 10; ++i)
   {
