@@ -42,7 +42,7 @@ void CellTreeWriter::WriteIds(ByteWriter& out) const
     }
   }
   PutPacked(out, symbols);
-  if (this->Templates.Items.size() > escape)
+  if (!more.IsEmpty())
   {
     more.Finish(out);
   }
@@ -54,7 +54,6 @@ void CellTreeWriter::WriteSources(ByteWriter& out) const
   constexpr std::uint8_t escape = CellTemplate::Escape;
   Bytes symbols;
   NumberWriter distances;
-  bool hasDistances = false;
   SourceCells last{ CodedCells::None, CodedCells::None, CodedCells::None };
   for (std::uint32_t i = 0; i < this->Coded.Items.size(); ++i)
   {
@@ -67,13 +66,12 @@ void CellTreeWriter::WriteSources(ByteWriter& out) const
       if (difference >= escape)
       {
         distances.Put(i - 1 - from[s]);
-        hasDistances = true;
       }
     }
     last = from;
   }
   PutPacked(out, symbols);
-  if (hasDistances)
+  if (!distances.IsEmpty())
   {
     distances.Finish(out);
   }
@@ -83,7 +81,6 @@ void CellTreeWriter::WriteSources(ByteWriter& out) const
 void CellTreeWriter::WriteFars(ByteWriter& out) const
 {
   NumberWriter fars;
-  bool hasFars = false;
   for (std::uint32_t i = 0; i < this->Coded.Items.size(); ++i)
   {
     const auto& cell = this->Coded.Items[i];
@@ -94,12 +91,11 @@ void CellTreeWriter::WriteFars(ByteWriter& out) const
       if (item.From[k] == CellTemplate::Far + met)
       {
         fars.Put(cell.Next - 1 - this->Coded.Points[cell.First + k]);
-        hasFars = true;
         ++met;
       }
     }
   }
-  if (hasFars)
+  if (!fars.IsEmpty())
   {
     fars.Finish(out);
   }
@@ -111,8 +107,6 @@ void CellTreeWriter::WriteRests(ByteWriter& out) const
   NumberWriter sizes;
   Bytes symbols;
   NumberWriter fars;
-  bool hasSizes = false;
-  bool hasFars = false;
   for (std::uint32_t i = 0; i < this->Coded.Items.size(); ++i)
   {
     const auto& cell = this->Coded.Items[i];
@@ -120,7 +114,6 @@ void CellTreeWriter::WriteRests(ByteWriter& out) const
     if (item.IsSized)
     {
       sizes.Put(cell.Points - item.Head);
-      hasSizes = true;
     }
     auto next = cell.Next + item.News;
     for (auto k = std::uint32_t{ item.Head }; k < cell.Points; ++k)
@@ -142,16 +135,15 @@ void CellTreeWriter::WriteRests(ByteWriter& out) const
       {
         symbols.push_back(CellTemplate::FarSymbol);
         fars.Put(next - 1 - vertex);
-        hasFars = true;
       }
     }
   }
-  if (hasSizes)
+  if (!sizes.IsEmpty())
   {
     sizes.Finish(out);
   }
   PutPacked(out, symbols);
-  if (hasFars)
+  if (!fars.IsEmpty())
   {
     fars.Finish(out);
   }

@@ -105,7 +105,7 @@ public:
   std::uint64_t GetNumber(unsigned length)
   {
     const auto low = this->Get(GetLowBits(length));
-    return low | std::uint64_t{ length > 0 } << (length - (length > 0 ? 1 : 0));
+    return low | std::uint64_t{ length > 0 } << GetLowBits(length);
   }
 
 private:
@@ -126,6 +126,8 @@ public:
 
   /** Appends a length that stands for something else than a number. */
   void PutLength(unsigned length) { this->Lengths.push_back(static_cast<std::uint8_t>(length)); }
+
+  bool IsEmpty() const { return this->Lengths.empty(); }
 
   void Finish(ByteWriter& out)
   {

@@ -267,10 +267,14 @@ SurfacePart ChunkSurface::Make(std::uint32_t chunk, const SurfaceOptions& option
   const auto mesh = this->GetMesh(chunk);
   // Several tetrahedra may have the values of one cell.
   const bool isSplit = !this->Parts.GetFile()->GetChunks()[chunk].IsTetrahedral;
-  const auto split = isSplit ? this->Parts.SplitCells(chunk, *mesh) : ChunkSize();
-  const auto unpacked = !isSplit && mesh->Walk.HasTree() ? mesh->Walk.CopyTets() : split.Tets;
+  const bool isPacked = !isSplit && mesh->Walk.HasTree();
+  auto split = isSplit ? this->Parts.SplitCells(chunk, *mesh) : ChunkSize();
+  if (isPacked)
+  {
+    split.Tets = mesh->Walk.CopyTets();
+  }
   const RemainingTets remaining(this->Parts, chunk,
-    isSplit || mesh->Walk.HasTree() ? unpacked : mesh->Walk.Tets, isSplit ? &split.Cells : nullptr);
+    isSplit || isPacked ? split.Tets : mesh->Walk.Tets, isSplit ? &split.Cells : nullptr);
   const auto& tets = remaining.GetTets();
   SurfaceInput input;
   input.Mesh.Points = mesh->Keys.size();

@@ -71,10 +71,11 @@ Bytes EncodeFast(std::span<const Domain> domains, std::span<ComponentKeys> compo
   return best;
 }
 
-/** Whether GetVertexLanes takes values of these domains. */
+/** Whether GetVertexLanes takes values of these domains. DecodeFast rejects those with bounds. */
 inline bool HaveLanes(std::span<const Domain> domains)
 {
-  return std::all_of(domains.begin(), domains.end(), Float32Domain::Matches);
+  return !AreRounded(domains) &&
+    std::all_of(domains.begin(), domains.end(), Float32Domain::Matches);
 }
 
 /** Decodes the components of a stream of EncodeFast at the vertices of a tree, where HaveLanes, and
