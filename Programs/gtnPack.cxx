@@ -67,7 +67,7 @@ struct PackOptions
   int LayerComponent = -1;
   std::optional<std::string> PointTolerance; ///< as given
   std::vector<std::string> Tolerances;       ///< of arrays, as given
-  std::string Profile = "small";
+  std::string Profile = "fast";
   bool FillMissing = false;
   bool Append = false;
   PieceOptions Pieces;
@@ -305,9 +305,9 @@ void AddPack(CLI::App& app, Settings& settings)
     ->option_text("WHAT");
   command
     ->add_option("--profile", options->Profile,
-      "Optimize the file for size (small) or for reading speed (fast; takes up to twice the space) "
-      "(default: small)")
-    ->check(CLI::IsMember({ "small", "fast" }))
+      "Optimize the file for reading speed (fast) or for size (small; up to half the space, read "
+      "several times slower) (default: fast)")
+    ->check(CLI::IsMember({ "fast", "small" }))
     ->option_text("WHAT");
   command
     ->add_option("--chunk-size", options->ChunkSize,

@@ -64,7 +64,7 @@ struct WriterOptions
   std::vector<ArrayError> Errors;
 
   /** What the file is optimized for. */
-  Profile Coding = Profile::Small;
+  Profile Coding = Profile::Fast;
 
   /** The layers to organize the file and its base meshes by, if any. */
   std::optional<LayerRequest> Layers;

@@ -61,6 +61,7 @@ def write(path, inputs, times, errors, options):
     else:
         writer.SetInputDataObject(inputs[0])
     writer.SetFileName(path)
+    writer.SetProfileToSmall()  # unless the options say fast
     set_options(writer, **options)
     for error in errors:
         set_tolerance(writer, error)
