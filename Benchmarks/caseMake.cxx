@@ -44,7 +44,7 @@ void WriteOrdered(vtkUnstructuredGrid* grid, const MakeOptions& options)
     ordered = options.Permute ? Permute(grid) : SortAlongCurve(grid);
     grid = ordered;
   }
-  Write({ options.Format, false }, grid, options.Out);
+  Write({ options.Format }, grid, options.Out);
 }
 
 void MakeMesh(const MakeOptions& options)
