@@ -317,14 +317,14 @@ private:
       faces->InsertNextId(6);
       for (int at = 0; at < 6; ++at)
       {
-        faces->InsertNextId(corner(z == 0 ? at : 5 - at, z));
+        faces->InsertNextId(corner(z == 1 ? at : 5 - at, z));
       }
     }
     for (int at = 0; at < 6; ++at)
     {
       faces->InsertNextId(4);
       for (const vtkIdType id :
-        { corner(at, 0), corner(at, 1), corner(at + 1, 1), corner(at + 1, 0) })
+        { corner(at, 0), corner(at + 1, 0), corner(at + 1, 1), corner(at, 1) })
       {
         faces->InsertNextId(id);
       }
