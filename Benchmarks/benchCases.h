@@ -25,6 +25,7 @@ void AddVolume(CLI::App& app);
 void AddSurface(CLI::App& app);
 void AddFigures(CLI::App& app);
 void AddTables(CLI::App& app);
+void AddSteps(CLI::App& app);
 
 /** Prints the JSON object that fill makes. */
 template <typename Fill>

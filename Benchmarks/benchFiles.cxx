@@ -3,6 +3,8 @@
 
 #include "benchFiles.h"
 
+#include "benchZstd.h"
+
 #include "gatunCellArrays.h"
 #include "gatunFaceStream.h"
 #include "vtkGatunReader.h"
@@ -44,6 +46,10 @@ void WriteVtu(const Format& format, vtkUnstructuredGrid* grid, const std::string
   if (format.Name.starts_with("vtu-zlib"))
   {
     writer->SetCompressorTypeToZLib();
+  }
+  else if (format.Name == "vtu-lz4")
+  {
+    writer->SetCompressorTypeToLZ4();
   }
   else if (format.Name.starts_with("vtu-lzma"))
   {
@@ -88,14 +94,19 @@ Grid LoadWith(const std::string& file)
 //------------------------------------------------------------------------------
 const std::vector<Format>& GetFormats()
 {
-  static const std::vector<Format> formats{ { "gtn", false }, { "gtn-fast", false },
-    { "vtu-zlib", false }, { "vtu-lzma-best", true } };
+  static const std::vector<Format> formats{ { "gtn" }, { "gtn-small" }, { "vtu-raw" },
+    { "vtu-lz4" }, { "vtu-zlib" }, { "vtu-lzma-best" }, { "zstd" }, { "zstd-shuffle" } };
   return formats;
 }
 
 //------------------------------------------------------------------------------
 void Write(const Format& format, vtkUnstructuredGrid* grid, const std::string& file)
 {
+  if (format.Name.starts_with("zstd"))
+  {
+    WriteZstd(grid, file, format.Name == "zstd-shuffle");
+    return;
+  }
   if (!format.IsGatun())
   {
     WriteVtu(format, grid, file);
@@ -105,7 +116,7 @@ void Write(const Format& format, vtkUnstructuredGrid* grid, const std::string& f
   writer->SetFileName(file.c_str());
   writer->SetInputData(grid);
   writer->SetProfile(
-    format.Name == "gtn-fast" ? vtkGatunWriter::PROFILE_FAST : vtkGatunWriter::PROFILE_SMALL);
+    format.Name == "gtn-small" ? vtkGatunWriter::PROFILE_SMALL : vtkGatunWriter::PROFILE_FAST);
   if (!writer->Write())
   {
     throw Failure(file, "cannot be written");
@@ -115,6 +126,10 @@ void Write(const Format& format, vtkUnstructuredGrid* grid, const std::string& f
 //------------------------------------------------------------------------------
 Grid Load(const std::string& file)
 {
+  if (file.ends_with(".zst"))
+  {
+    return LoadZstd(file);
+  }
   return file.ends_with(".gtn") ? LoadWith<vtkGatunReader>(file)
                                 : LoadWith<vtkXMLUnstructuredGridReader>(file);
 }

@@ -3,7 +3,7 @@
 #ifndef benchFiles_h
 #define benchFiles_h
 
-// The files that are compared: .gtn and the flavours of VTK's own .vtu.
+// The files that are compared: .gtn in both profiles, the flavors of VTK's own .vtu, and zstd.
 
 #include "benchHarness.h"
 #include "benchMeshes.h"
@@ -18,25 +18,27 @@ namespace bench
 struct Format
 {
   std::string Name; ///< gtn, vtu-raw, vtu-zlib, ...
-  bool IsSlow;      ///< to write, so once is enough
 
   bool IsGatun() const { return this->Name.starts_with("gtn"); }
   std::string GetFile(const std::string& folder) const
   {
-    return folder + "/" + this->Name + (this->IsGatun() ? ".gtn" : ".vtu");
+    return folder + "/" + this->Name +
+      (this->IsGatun()                     ? ".gtn"
+          : this->Name.starts_with("zstd") ? ".zst"
+                                           : ".vtu");
   }
 };
 
 /**
- * gtn with default settings, gtn-fast with the fast profile; vtu-zlib with VTK's default settings
- * (appended, not in base64); vtu-lzma-best: level 9, 32-bit ids, blocks of 32 MiB. Write also takes
- * vtu-raw, without compression.
+ * gtn: the fast profile, which is the default; gtn-small: the small one; vtu-raw, vtu-lz4 and
+ * vtu-zlib with VTK's default settings (appended, not in base64); vtu-lzma-best: level 9, 32-bit
+ * ids, blocks of 32 MiB; zstd and zstd-shuffle: see benchZstd.h.
  */
 const std::vector<Format>& GetFormats();
 
 void Write(const Format& format, vtkUnstructuredGrid* grid, const std::string& file);
 
-/** Reads a .gtn or .vtu file as a program would that knows nothing of it. Throws Failure. */
+/** Reads a .gtn, .vtu or .zst file as a program would that knows nothing of it. Throws Failure. */
 Grid Load(const std::string& file);
 }
 

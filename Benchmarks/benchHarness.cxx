@@ -7,6 +7,12 @@
 #include <filesystem>
 #include <fstream>
 
+#ifdef __linux__
+#include <linux/perf_event.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+#endif
+
 namespace bench
 {
 namespace
@@ -82,6 +88,32 @@ void AddCost(Json::Value& json, const Cost& cost)
   json["seconds"] = cost.Seconds;
   json["before"] = cost.Before;
   json["peak"] = cost.Peak;
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::uint64_t> CountBranchMisses(const std::function<void()>& work)
+{
+#ifdef __linux__
+  perf_event_attr what{};
+  what.size = sizeof(what);
+  what.type = PERF_TYPE_HARDWARE;
+  what.config = PERF_COUNT_HW_BRANCH_MISSES;
+  what.exclude_kernel = 1;
+  what.exclude_hv = 1;
+  const auto counter = static_cast<int>(syscall(SYS_perf_event_open, &what, 0, -1, -1, 0UL));
+  if (counter >= 0)
+  {
+    std::uint64_t before = 0;
+    std::uint64_t after = 0;
+    bool known = read(counter, &before, sizeof(before)) == sizeof(before);
+    work();
+    known = known && read(counter, &after, sizeof(after)) == sizeof(after);
+    close(counter);
+    return known ? std::optional(after - before) : std::nullopt;
+  }
+#endif
+  work();
+  return std::nullopt;
 }
 
 //------------------------------------------------------------------------------

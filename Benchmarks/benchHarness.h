@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,10 @@ Cost CostOf(const std::function<void()>& work);
 
 /** Adds seconds, before and peak. */
 void AddCost(Json::Value& json, const Cost& cost);
+
+/** The branches that the processor mispredicts while this thread does some work; nothing where the
+ * system does not count them. */
+std::optional<std::uint64_t> CountBranchMisses(const std::function<void()>& work);
 
 std::uint64_t FileSize(const std::string& file);
 }

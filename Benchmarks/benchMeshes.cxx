@@ -10,20 +10,17 @@
 #include "benchHarness.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkDataSetTriangleFilter.h"
 #include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
@@ -34,7 +31,6 @@ namespace
 {
 
 using Random = std::mt19937_64;
-using Tet = std::array<vtkIdType, 4>;
 using Point = std::array<double, 3>;
 
 /** 0 to 1. */
@@ -73,39 +69,23 @@ double Determinant(const Point& a, const Point& b, const Point& c, const Point& 
     e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
 }
 
-void SetTets(vtkUnstructuredGrid* grid, const std::vector<Tet>& tets)
+/** Points given in double, stored as float or double. */
+vtkSmartPointer<vtkPoints> MakePoints(const std::vector<Point>& points, bool doublePoints)
 {
-  vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(4 * tets.size()));
-  vtkNew<vtkIdTypeArray> offsets;
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(tets.size()) + 1);
-  vtkIdType place = 0;
-  for (std::size_t i = 0; i < tets.size(); ++i)
-  {
-    offsets->SetValue(static_cast<vtkIdType>(i), place);
-    for (const vtkIdType id : tets[i])
-    {
-      connectivity->SetValue(place++, id);
-    }
-  }
-  offsets->SetValue(static_cast<vtkIdType>(tets.size()), place);
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(offsets, connectivity);
-  grid->SetCells(VTK_TETRA, cells);
-}
-
-/** A grid of points given in double, stored as float or double. */
-Grid MakeGrid(const std::vector<Point>& points, std::vector<Tet> tets, bool doublePoints)
-{
-  auto grid = Grid::New();
-  vtkNew<vtkPoints> coordinates;
+  auto coordinates = vtkSmartPointer<vtkPoints>::New();
   coordinates->SetDataType(doublePoints ? VTK_DOUBLE : VTK_FLOAT);
   coordinates->SetNumberOfPoints(static_cast<vtkIdType>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     coordinates->SetPoint(static_cast<vtkIdType>(i), points[i].data());
   }
-  grid->SetPoints(coordinates);
+  return coordinates;
+}
+
+Grid MakeGrid(const std::vector<Point>& points, std::vector<Tet> tets, bool doublePoints)
+{
+  auto grid = Grid::New();
+  grid->SetPoints(MakePoints(points, doublePoints));
   for (Tet& tet : tets)
   {
     const auto at = [&](unsigned i) -> const Point&
@@ -159,17 +139,18 @@ std::array<double, 6> Flow(const Point& p)
   return { density, x, y, z, energy, pressure };
 }
 
-void AddFlow(vtkUnstructuredGrid* grid, const std::vector<Point>& points, bool allArrays)
+void AddFlow(
+  vtkUnstructuredGrid* grid, const std::vector<Point>& points, bool allArrays, int step = 0)
 {
   vtkFloatArray* density = AddArray(grid, "Density", 1);
   vtkFloatArray* momentum = allArrays ? AddArray(grid, "Momentum", 3) : nullptr;
   vtkFloatArray* energy = allArrays ? AddArray(grid, "Energy", 1) : nullptr;
   vtkFloatArray* pressure = allArrays ? AddArray(grid, "Pressure", 1) : nullptr;
-  Random random(7);
+  Random random(7 + static_cast<std::uint64_t>(step));
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const auto id = static_cast<vtkIdType>(i);
-    std::array<double, 6> values = Flow(points[i]);
+    std::array<double, 6> values = Flow({ points[i][0] + 0.01 * step, points[i][1], points[i][2] });
     for (double& value : values)
     {
       value *= 1 + 1e-6 * (2 * Uniform(random) - 1);
@@ -187,106 +168,8 @@ void AddFlow(vtkUnstructuredGrid* grid, const std::vector<Point>& points, bool a
   }
 }
 
-std::vector<vtkIdType> MakeOrder(vtkIdType count, Random& random)
-{
-  std::vector<vtkIdType> order(static_cast<std::size_t>(count));
-  std::iota(order.begin(), order.end(), vtkIdType{ 0 });
-  for (std::size_t i = order.size(); i > 1; --i)
-  {
-    std::swap(order[i - 1], order[static_cast<std::size_t>(random() % i)]);
-  }
-  return order;
-}
-
-void CopyArrays(
-  vtkDataSetAttributes* from, vtkDataSetAttributes* to, const std::vector<vtkIdType>& order)
-{
-  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* source = from->GetAbstractArray(i);
-    const auto array = vtkSmartPointer<vtkAbstractArray>::Take(source->NewInstance());
-    array->SetName(source->GetName());
-    array->SetNumberOfComponents(source->GetNumberOfComponents());
-    array->SetNumberOfTuples(source->GetNumberOfTuples());
-    for (std::size_t k = 0; k < order.size(); ++k)
-    {
-      array->SetTuple(static_cast<vtkIdType>(k), order[k], source);
-    }
-    to->AddArray(array);
-  }
-}
-
-/** The grid with its points and cells in another order. */
-Grid Reorder(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& points,
-  const std::vector<vtkIdType>& cells)
-{
-  std::vector<vtkIdType> places(points.size());
-  vtkNew<vtkPoints> coordinates;
-  coordinates->SetDataType(grid->GetPoints()->GetDataType());
-  coordinates->SetNumberOfPoints(grid->GetNumberOfPoints());
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    const auto id = static_cast<vtkIdType>(i);
-    places[static_cast<std::size_t>(points[i])] = id;
-    coordinates->SetPoint(id, grid->GetPoint(points[i]));
-  }
-  std::vector<Tet> tets;
-  tets.reserve(cells.size());
-  for (const vtkIdType cell : cells)
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    grid->GetCellPoints(cell, count, ids);
-    Tet tet;
-    for (unsigned i = 0; i < 4; ++i)
-    {
-      tet[i] = places[static_cast<std::size_t>(ids[i])];
-    }
-    tets.push_back(tet);
-  }
-  auto result = Grid::New();
-  result->SetPoints(coordinates);
-  SetTets(result, tets);
-  CopyArrays(grid->GetPointData(), result->GetPointData(), points);
-  CopyArrays(grid->GetCellData(), result->GetCellData(), cells);
-  result->GetFieldData()->ShallowCopy(grid->GetFieldData());
-  return result;
-}
-
-/** What is to be in order, by its keys; equal ones stay as they are. */
-template <typename Key>
-std::vector<vtkIdType> SortedBy(const std::vector<Key>& keys)
-{
-  std::vector<vtkIdType> order(keys.size());
-  std::iota(order.begin(), order.end(), vtkIdType{ 0 });
-  std::stable_sort(order.begin(), order.end(),
-    [&keys](vtkIdType a, vtkIdType b)
-    { return keys[static_cast<std::size_t>(a)] < keys[static_cast<std::size_t>(b)]; });
-  return order;
-}
-
-/** Where on a Morton curve a point is: bits of x, y and z in turns. */
-std::uint64_t MortonKey(const double* point, const double* box)
-{
-  constexpr unsigned bits = 21;
-  std::uint64_t key = 0;
-  for (unsigned axis = 0; axis < 3; ++axis)
-  {
-    const double length = box[2 * axis + 1] - box[2 * axis];
-    const double part = length > 0 ? (point[axis] - box[2 * axis]) / length : 0;
-    const auto place = static_cast<std::uint64_t>(part * ((1U << bits) - 1));
-    for (unsigned bit = 0; bit < bits; ++bit)
-    {
-      key |= (place >> bit & 1) << (3 * bit + axis);
-    }
-  }
-  return key;
-}
-
-} // anonymous namespace
-
-//------------------------------------------------------------------------------
-Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays)
+/** The points of a structured grid around a nose. */
+std::vector<Point> MakeFlowPoints(const std::array<int, 3>& cells)
 {
   std::vector<Point> points;
   for (int k = 0; k <= cells[2]; ++k)
@@ -298,6 +181,195 @@ Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays)
         points.push_back(FlowPoint(static_cast<double>(i) / cells[0],
           static_cast<double>(j) / cells[1], static_cast<double>(k) / cells[2]));
       }
+    }
+  }
+  return points;
+}
+
+vtkIdType GetFlowPoint(const std::array<int, 3>& cells, int i, int j, int k)
+{
+  return (static_cast<vtkIdType>(k) * (cells[1] + 1) + j) * (cells[0] + 1) + i;
+}
+
+/** Makes cells of many types between the points of a structured grid, and of points within. */
+class MixedMaker
+{
+public:
+  explicit MixedMaker(const std::array<int, 3>& cells)
+    : Cells(cells)
+    , Points(MakeFlowPoints(cells))
+  {
+    this->Result->AllocateEstimate(static_cast<vtkIdType>(this->Points.size()), 8);
+  }
+
+  Grid Make(bool hexahedraOnly)
+  {
+    for (int k = 0; k < this->Cells[2]; ++k)
+    {
+      for (int j = 0; j < this->Cells[1]; ++j)
+      {
+        const int quarter = hexahedraOnly ? 0 : 4 * j / this->Cells[1];
+        for (int i = 0; i < this->Cells[0]; ++i)
+        {
+          const bool split = !hexahedraOnly && (i / 8 + j / 8 + k / 8) % 3 == 0;
+          if (quarter == 3 && i + 1 < this->Cells[0] && (i > 0 || j % 2 == 0))
+          {
+            this->AddBrick(i++, j, k);
+          }
+          else if (quarter == 2)
+          {
+            this->AddWedges(i, j, k, split);
+          }
+          else
+          {
+            this->AddHexahedron(i, j, k, split && quarter < 2);
+          }
+        }
+      }
+    }
+    this->Result->SetPoints(MakePoints(this->Points, false));
+    AddFlow(this->Result, this->Points, false);
+    return this->Result;
+  }
+
+private:
+  using Ids = std::vector<vtkIdType>;
+
+  /** From the outside to the nose, so that cells are not inside out. */
+  vtkIdType At(int i, int j, int k) const
+  {
+    return GetFlowPoint(this->Cells, i, j, this->Cells[2] - k);
+  }
+
+  void Add(int type, const Ids& ids)
+  {
+    this->Result->InsertNextCell(type, static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+
+  void AddHexahedron(int i, int j, int k, bool split)
+  {
+    const Ids ids{ this->At(i, j, k), this->At(i + 1, j, k), this->At(i + 1, j + 1, k),
+      this->At(i, j + 1, k), this->At(i, j, k + 1), this->At(i + 1, j, k + 1),
+      this->At(i + 1, j + 1, k + 1), this->At(i, j + 1, k + 1) };
+    this->AddCell(VTK_HEXAHEDRON, ids, split,
+      { { 0, 1, 2, 3 }, { 4, 7, 6, 5 }, { 0, 4, 5, 1 }, { 1, 5, 6, 2 }, { 2, 6, 7, 3 },
+        { 3, 7, 4, 0 } });
+  }
+
+  void AddWedges(int i, int j, int k, bool split)
+  {
+    for (const bool upper : { false, true })
+    {
+      Ids ids;
+      for (const int z : { k, k + 1 })
+      {
+        ids.push_back(this->At(i, j, z));
+        ids.push_back(upper ? this->At(i, j + 1, z) : this->At(i + 1, j + 1, z));
+        ids.push_back(upper ? this->At(i + 1, j + 1, z) : this->At(i + 1, j, z));
+      }
+      this->AddCell(VTK_WEDGE, ids, split,
+        { { 0, 2, 1 }, { 3, 4, 5 }, { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 2, 0, 3, 5 } });
+    }
+  }
+
+  /** The cell, or pyramids and tetrahedra from its faces to a point in its middle. */
+  void AddCell(
+    int type, const Ids& ids, bool split, const std::vector<std::vector<unsigned>>& faces)
+  {
+    if (!split)
+    {
+      this->Add(type, ids);
+      return;
+    }
+    Point middle{};
+    for (const vtkIdType id : ids)
+    {
+      for (unsigned c = 0; c < 3; ++c)
+      {
+        middle[c] +=
+          this->Points[static_cast<std::size_t>(id)][c] / static_cast<double>(ids.size());
+      }
+    }
+    const auto apex = static_cast<vtkIdType>(this->Points.size());
+    this->Points.push_back(middle);
+    for (const auto& face : faces)
+    {
+      Ids corners;
+      for (const unsigned corner : face)
+      {
+        corners.push_back(ids[corner]);
+      }
+      corners.push_back(apex);
+      this->Add(face.size() == 4 ? VTK_PYRAMID : VTK_TETRA, corners);
+    }
+  }
+
+  /** A prism over a hexagon, which is two cells wide, as a polyhedron. */
+  void AddBrick(int i, int j, int k)
+  {
+    const int ring[6][2] = { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 0, 1 } };
+    const auto corner = [&](int at, int z)
+    { return this->At(i + ring[at % 6][0], j + ring[at % 6][1], k + z); };
+    vtkNew<vtkIdList> faces;
+    faces->InsertNextId(8);
+    for (const int z : { 0, 1 })
+    {
+      faces->InsertNextId(6);
+      for (int at = 0; at < 6; ++at)
+      {
+        faces->InsertNextId(corner(z == 1 ? at : 5 - at, z));
+      }
+    }
+    for (int at = 0; at < 6; ++at)
+    {
+      faces->InsertNextId(4);
+      for (const vtkIdType id :
+        { corner(at, 0), corner(at + 1, 0), corner(at + 1, 1), corner(at, 1) })
+      {
+        faces->InsertNextId(id);
+      }
+    }
+    this->Result->InsertNextCell(VTK_POLYHEDRON, faces);
+  }
+
+  std::array<int, 3> Cells;
+  std::vector<Point> Points;
+  Grid Result = Grid::New();
+};
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+void SetTets(vtkUnstructuredGrid* grid, const std::vector<Tet>& tets)
+{
+  vtkNew<vtkIdTypeArray> connectivity;
+  connectivity->SetNumberOfValues(static_cast<vtkIdType>(4 * tets.size()));
+  vtkNew<vtkIdTypeArray> offsets;
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(tets.size()) + 1);
+  vtkIdType place = 0;
+  for (std::size_t i = 0; i < tets.size(); ++i)
+  {
+    offsets->SetValue(static_cast<vtkIdType>(i), place);
+    for (const vtkIdType id : tets[i])
+    {
+      connectivity->SetValue(place++, id);
+    }
+  }
+  offsets->SetValue(static_cast<vtkIdType>(tets.size()), place);
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, connectivity);
+  grid->SetCells(VTK_TETRA, cells);
+}
+
+//------------------------------------------------------------------------------
+Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays, int step, bool moves)
+{
+  std::vector<Point> points = MakeFlowPoints(cells);
+  if (moves)
+  {
+    for (Point& p : points)
+    {
+      p[2] += 0.02 * Wave(0.04 * step + 0.3 * p[0]) * Wave(0.2 * p[1]);
     }
   }
   constexpr int split[2][5][4] = { { { 0, 1, 3, 5 }, { 0, 3, 2, 6 }, { 0, 5, 6, 4 }, { 3, 6, 5, 7 },
@@ -315,10 +387,8 @@ Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays)
           Tet tet;
           for (unsigned c = 0; c < 4; ++c)
           {
-            const int x = i + (corners[c] & 1);
-            const int y = j + (corners[c] >> 1 & 1);
-            const int z = k + (corners[c] >> 2 & 1);
-            tet[c] = (static_cast<vtkIdType>(z) * (cells[1] + 1) + y) * (cells[0] + 1) + x;
+            tet[c] = GetFlowPoint(
+              cells, i + (corners[c] & 1), j + (corners[c] >> 1 & 1), k + (corners[c] >> 2 & 1));
           }
           tets.push_back(tet);
         }
@@ -326,8 +396,20 @@ Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays)
     }
   }
   Grid grid = MakeGrid(points, std::move(tets), false);
-  AddFlow(grid, points, allArrays);
+  AddFlow(grid, points, allArrays, step);
   return grid;
+}
+
+//------------------------------------------------------------------------------
+Grid MakeHexahedra(const std::array<int, 3>& cells)
+{
+  return MixedMaker(cells).Make(true);
+}
+
+//------------------------------------------------------------------------------
+Grid MakeMixed(const std::array<int, 3>& cells)
+{
+  return MixedMaker(cells).Make(false);
 }
 
 //------------------------------------------------------------------------------
@@ -402,65 +484,5 @@ Grid MakeLattice(int cells, bool doublePoints)
   Grid grid = MakeGrid(points, std::move(tets), doublePoints);
   AddFlow(grid, points, false);
   return grid;
-}
-
-//------------------------------------------------------------------------------
-Grid Permute(vtkUnstructuredGrid* grid)
-{
-  Random random(20260101);
-  const std::vector<vtkIdType> points = MakeOrder(grid->GetNumberOfPoints(), random);
-  const std::vector<vtkIdType> cells = MakeOrder(grid->GetNumberOfCells(), random);
-  return Reorder(grid, points, cells);
-}
-
-//------------------------------------------------------------------------------
-Grid SortAlongCurve(vtkUnstructuredGrid* grid)
-{
-  double box[6];
-  grid->GetBounds(box);
-  std::vector<std::uint64_t> ofPoints(static_cast<std::size_t>(grid->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < ofPoints.size(); ++i)
-  {
-    ofPoints[i] = MortonKey(grid->GetPoint(static_cast<vtkIdType>(i)), box);
-  }
-  std::vector<std::uint64_t> ofCells(static_cast<std::size_t>(grid->GetNumberOfCells()));
-  for (std::size_t i = 0; i < ofCells.size(); ++i)
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    grid->GetCellPoints(static_cast<vtkIdType>(i), count, ids);
-    const auto getKey = [&](vtkIdType corner)
-    { return ofPoints[static_cast<std::size_t>(ids[corner])]; };
-    ofCells[i] = std::min({ getKey(0), getKey(1), getKey(2), getKey(3) });
-  }
-  return Reorder(grid, SortedBy(ofPoints), SortedBy(ofCells));
-}
-
-//------------------------------------------------------------------------------
-Grid Triangulate(vtkUnstructuredGrid* grid)
-{
-  if (grid->GetNumberOfCells() > 0 && grid->IsHomogeneous() && grid->GetCellType(0) == VTK_TETRA)
-  {
-    return grid;
-  }
-  vtkNew<vtkDataSetTriangleFilter> filter;
-  filter->SetInputData(grid);
-  filter->TetrahedraOnlyOn();
-  filter->Update();
-  return filter->GetOutput();
-}
-
-//------------------------------------------------------------------------------
-Grid KeepPointArray(vtkUnstructuredGrid* grid, const std::string& name)
-{
-  vtkDataArray* array = grid->GetPointData()->GetArray(name.c_str());
-  if (!array)
-  {
-    throw Failure("there is no point array " + name);
-  }
-  auto result = Grid::New();
-  result->CopyStructure(grid);
-  result->GetPointData()->AddArray(array);
-  return result;
 }
 }

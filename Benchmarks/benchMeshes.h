@@ -7,9 +7,11 @@
 // TetGen at hand makes it).
 
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <array>
 #include <string>
+#include <vector>
 
 class vtkUnstructuredGrid;
 
@@ -21,9 +23,15 @@ using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
  * Hexahedra of a structured grid that bends around a nose and grows finer towards it, as flow
  * solvers have it, five tetrahedra each. Float points; Density, and with allArrays also Momentum
  * (3), Energy and Pressure: a bow shock, waves, and noise of the size of rounding errors of a
- * solver (1e-6 of the value).
+ * solver (1e-6 of the value). With each time step the waves move on, and points, too, if moves.
  */
-Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays);
+Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays, int step = 0, bool moves = false);
+
+/** The hexahedra themselves; Density. */
+Grid MakeHexahedra(const std::array<int, 3>& cells);
+
+/** Hexahedra, wedges, pyramids, tetrahedra, and polyhedra of eight faces; Density. */
+Grid MakeMixed(const std::array<int, 3>& cells);
 
 /** A jittered body-centered lattice of cells^3 cubes, about twelve tetrahedra each; Density. */
 Grid MakeLattice(int cells, bool doublePoints);
@@ -31,6 +39,10 @@ Grid MakeLattice(int cells, bool doublePoints);
 /** A ball of about so many tetrahedra by TetGen, of good quality; Density without noise. */
 Grid MakeDelaunay(int tets);
 bool HasDelaunay();
+
+using Tet = std::array<vtkIdType, 4>;
+
+void SetTets(vtkUnstructuredGrid* grid, const std::vector<Tet>& tets);
 
 /** The same mesh with points and tetrahedra in random order, always the same one. */
 Grid Permute(vtkUnstructuredGrid* grid);

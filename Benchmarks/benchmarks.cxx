@@ -20,7 +20,7 @@ int main(int argc, char* argv[])
   app.parse_complete_callback([&] { gtn::SetThreads(threads); });
   for (const auto add : { bench::AddMake, bench::AddSizes, bench::AddPack, bench::AddLoad,
          bench::AddImage, bench::AddContour, bench::AddSimplify, bench::AddVolume,
-         bench::AddSurface, bench::AddFigures, bench::AddTables })
+         bench::AddSurface, bench::AddFigures, bench::AddTables, bench::AddSteps })
   {
     add(app);
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// load: time and memory from a file to vtkUnstructuredGrid.
+// load: time, memory and mispredicted branches from a file to vtkUnstructuredGrid.
 
 #include "benchCases.h"
 #include "benchFiles.h"
@@ -54,6 +54,10 @@ void MeasureLoading(const LoadOptions& options)
       for (const Operation& operation : operations)
       {
         json["seconds"].append(gtn::MakeJsonArray(operation.Seconds));
+        const auto misses = CountBranchMisses(operation.Run);
+        json["branchMisses"].append(misses
+            ? Json::Value(static_cast<double>(*misses) / static_cast<double>(cells))
+            : Json::Value());
       }
     });
 }
@@ -63,9 +67,10 @@ void MeasureLoading(const LoadOptions& options)
 void AddLoad(CLI::App& app)
 {
   auto options = std::make_shared<LoadOptions>();
-  CLI::App* command = app.add_subcommand(
-    "load", "Time to load files of one mesh, in turns, and the peak memory of the first one");
-  command->add_option("FILES", options->Files, ".gtn and .vtu files")->required();
+  CLI::App* command = app.add_subcommand("load",
+    "Time to load files of one mesh, in turns, mispredicted branches a cell of the calling thread, "
+    "and the peak memory of the first file");
+  command->add_option("FILES", options->Files, ".gtn, .vtu and .zst files")->required();
   command->add_option("--rounds", options->Rounds, "Rounds, after one to warm up")
     ->check(CLI::Range(0, 1000));
   command->callback([options] { MeasureLoading(*options); });

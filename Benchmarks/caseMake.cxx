@@ -27,7 +27,7 @@ namespace
 struct MakeOptions
 {
   std::string Kind;
-  int Tets = 0;
+  int Cells = 0;
   std::string In;
   std::string Out;
   bool Permute = false;
@@ -44,23 +44,29 @@ void WriteOrdered(vtkUnstructuredGrid* grid, const MakeOptions& options)
     ordered = options.Permute ? Permute(grid) : SortAlongCurve(grid);
     grid = ordered;
   }
-  Write({ options.Format, false }, grid, options.Out);
+  Write({ options.Format }, grid, options.Out);
 }
 
 void MakeMesh(const MakeOptions& options)
 {
-  const double hexahedra = options.Tets / 5.0;
+  const bool isOfTets = options.Kind != "hexahedra" && options.Kind != "mixed";
+  const double hexahedra = options.Cells / (isOfTets ? 5.0 : 1.0);
   // A block as long as 4 when it is 3 wide and high.
   const int width = std::max(2, static_cast<int>(std::lround(std::cbrt(hexahedra * 9 / 12))));
   const int length = std::max(2, static_cast<int>(std::lround(hexahedra / width / width)));
   if (options.Kind == "delaunay")
   {
-    WriteOrdered(MakeDelaunay(options.Tets), options);
+    WriteOrdered(MakeDelaunay(options.Cells), options);
   }
   else if (options.Kind == "lattice")
   {
-    const int cells = std::max(2, static_cast<int>(std::lround(std::cbrt(options.Tets / 12.0))));
+    const int cells = std::max(2, static_cast<int>(std::lround(std::cbrt(options.Cells / 12.0))));
     WriteOrdered(MakeLattice(cells, false), options);
+  }
+  else if (!isOfTets)
+  {
+    const std::array<int, 3> size{ length, width, width };
+    WriteOrdered(options.Kind == "mixed" ? MakeMixed(size) : MakeHexahedra(size), options);
   }
   else
   {
@@ -108,10 +114,12 @@ void AddMake(CLI::App& app)
 
   auto made = std::make_shared<MakeOptions>();
   CLI::App* make = app.add_subcommand("make", "Make a mesh, as a raw .vtu file");
-  make->add_option("KIND", made->Kind, "flow (four arrays), flow1 (one), lattice, delaunay")
+  make
+    ->add_option(
+      "KIND", made->Kind, "flow (four arrays), flow1 (one), lattice, delaunay, hexahedra, mixed")
     ->required()
-    ->check(CLI::IsMember({ "flow", "flow1", "lattice", "delaunay" }));
-  make->add_option("TETS", made->Tets, "About how many tetrahedra")
+    ->check(CLI::IsMember({ "flow", "flow1", "lattice", "delaunay", "hexahedra", "mixed" }));
+  make->add_option("CELLS", made->Cells, "About how many")
     ->required()
     ->check(CLI::Range(100, 1000000000));
   make->add_option("OUT", made->Out)->required();

@@ -31,6 +31,7 @@ struct Sample
   Grid Mesh;
   int ChunkSize;
   int KeepOrder;
+  int Profile = vtkGatunWriter::PROFILE_SMALL;
 };
 
 std::vector<Sample> MakeSizeSamples()
@@ -38,6 +39,7 @@ std::vector<Sample> MakeSizeSamples()
   const Grid flow = Permute(MakeFlow({ 20, 16, 14 }, true));
   const Grid lattice = Permute(MakeLattice(12, false));
   const Grid wide = Permute(MakeLattice(12, true));
+  const Grid mixed = MakeMixed({ 24, 24, 24 });
   return {
     { "flow", flow, 0, vtkGatunWriter::KEEP_NONE },
     { "flow", flow, 4096, vtkGatunWriter::KEEP_NONE },
@@ -49,6 +51,12 @@ std::vector<Sample> MakeSizeSamples()
     { "lattice", lattice, 4096, vtkGatunWriter::KEEP_ALL },
     { "lattice-double", wide, 0, vtkGatunWriter::KEEP_NONE },
     { "lattice-double", wide, 4096, vtkGatunWriter::KEEP_NONE },
+    { "flow", flow, 4096, vtkGatunWriter::KEEP_NONE, vtkGatunWriter::PROFILE_FAST },
+    { "flow", flow, 4096, vtkGatunWriter::KEEP_ALL, vtkGatunWriter::PROFILE_FAST },
+    { "lattice", lattice, 4096, vtkGatunWriter::KEEP_NONE, vtkGatunWriter::PROFILE_FAST },
+    { "lattice-double", wide, 4096, vtkGatunWriter::KEEP_NONE, vtkGatunWriter::PROFILE_FAST },
+    { "mixed", mixed, 4096, vtkGatunWriter::KEEP_NONE, vtkGatunWriter::PROFILE_FAST },
+    { "mixed", mixed, 4096, vtkGatunWriter::KEEP_NONE },
   };
 }
 
@@ -59,6 +67,7 @@ void WriteSample(const Sample& sample, const std::string& file)
   writer->SetFileName(file.c_str());
   writer->SetChunkSize(sample.ChunkSize);
   writer->SetKeepOrder(sample.KeepOrder);
+  writer->SetProfile(sample.Profile);
   if (!writer->Write())
   {
     throw Failure(file, "cannot be written");
@@ -69,8 +78,8 @@ void WriteSample(const Sample& sample, const std::string& file)
 std::string MakeTable(const std::string& scratch)
 {
   std::ostringstream table;
-  table
-    << "mesh,tets,chunkTets,keepOrder,streams,connectivity,geometry,sharedGeometry,arrays,order\n";
+  table << "mesh,cells,profile,chunkCells,keepOrder,streams,connectivity,geometry,sharedGeometry,"
+           "arrays,order\n";
   for (const Sample& sample : MakeSizeSamples())
   {
     WriteSample(sample, scratch);
@@ -80,10 +89,12 @@ std::string MakeTable(const std::string& scratch)
     {
       arrays += bytes;
     }
-    table << sample.Name << ',' << sample.Mesh->GetNumberOfCells() << ',' << sample.ChunkSize << ','
-          << sample.KeepOrder << ',' << sizes.FileBytes - sizes.DirectoryBytes << ','
-          << sizes.ConnectivityBytes << ',' << sizes.GeometryBytes << ','
-          << sizes.SharedGeometryBytes << ',' << arrays << ',' << sizes.OrderBytes << '\n';
+    table << sample.Name << ',' << sample.Mesh->GetNumberOfCells() << ','
+          << (sample.Profile == vtkGatunWriter::PROFILE_FAST ? "fast" : "small") << ','
+          << sample.ChunkSize << ',' << sample.KeepOrder << ','
+          << sizes.FileBytes - sizes.DirectoryBytes << ',' << sizes.ConnectivityBytes << ','
+          << sizes.GeometryBytes << ',' << sizes.SharedGeometryBytes << ',' << arrays << ','
+          << sizes.OrderBytes << '\n';
   }
   std::filesystem::remove(scratch);
   return table.str();

@@ -7,6 +7,9 @@ import statistics
 import textwrap
 
 MIB = 2**20
+PROFILES = {"gtn": "fast", "gtn-small": "small"}
+FORMS = {"gtn": "fast", "gtn-small": "small", "vtu-raw": "raw `.vtu`", "vtu-lz4": "LZ4", "vtu-zlib": "zlib",
+         "vtu-lzma-best": "LZMA", "zstd": "zstd", "zstd-shuffle": "zstd, shuffled"}
 
 
 def number(value):
@@ -51,12 +54,18 @@ def find(entries, name):
 
 
 def bits(entry, form):
-    return 8 * entry["pack"]["files"][form]["bytes"] / entry["pack"]["tets"]
+    return 8 * entry["pack"]["files"][form]["bytes"] / entry["pack"]["cells"]
 
 
 def rates(load, form):
     """Million cells per second."""
     return [load["cells"] / seconds / 1e6 for seconds in load["seconds"][form]]
+
+
+def both(what, unit, forms, peer, more_is_better=False):
+    """The cells of a row of both profiles. forms: their rounds."""
+    return [f"{what} ({unit})", *(number(statistics.median(own)) for own in (*forms, peer)),
+            *(advantage(own, peer, more_is_better) for own in forms)]
 
 
 def memory(runs):
@@ -76,9 +85,15 @@ def machine(results):
     return text
 
 
-def loading(results, name, threads, form="gtn"):
-    load = find(results["files"], name)[f"load{threads}"]
-    return rates(load, form), rates(load, "vtu-zlib")
+def loading(results, name, form):
+    """Of the fast profile and one peer, on one thread."""
+    load = find(results["files"], name)["loads"][0]
+    return rates(load, "gtn"), rates(load, form)
+
+
+def pack_rates(entry, form):
+    files, cells = entry["packing"]["files"], entry["packing"]["cells"]
+    return [cells / seconds / 1e6 for seconds in files[form]["seconds"]]
 
 
 def images(results):
@@ -90,6 +105,9 @@ def first_images(results):
     for entry in images(results)["first"]:
         what = f"first, {entry['name']}, {entry['size']}"
         yield what, "s", medians(entry["gtn"], "seconds"), medians(entry["vtu-zlib"], "seconds")
+        if "gtn-small" in entry:
+            yield f"{what}, small", "s", medians(entry["gtn-small"], "seconds"), medians(
+                entry["vtu-zlib"], "seconds")
         for form, budget in (("gtn", ""), ("gtn-0", ", `MemoryBudget` 0")):
             yield f"{what}{budget}", "MiB", memory(entry[form]), memory(entry["vtu-zlib"])
 
@@ -104,23 +122,32 @@ def later_images(results):
 def contours(results):
     for entry in results["contours"]:
         peer = medians(entry["files"]["vtu-zlib"], "seconds")
-        for form, text in (("gtn", "file"), ("layers", "file with layers")):
-            yield f"{entry['name']}, {text}", "s", medians(entry["files"][form], "seconds"), peer
+        for form, text in (("gtn", "file"), ("gtn-small", "small file"), ("layers", "file with layers")):
+            if form in entry["files"]:
+                yield f"{entry['name']}, {text}", "s", medians(entry["files"][form], "seconds"), peer
     for entry in results["contours"][:2]:
         yield f"{entry['name']}, in memory", "s", entry["memory"]["gatun"], entry["memory"]["vtk"]
 
 
 def best_peer(surface):
-    return min((size, way) for way, size in surface["bytes"].items() if way != "gtn")
+    return min((size, way) for way, size in surface["bytes"].items() if way not in PROFILES)
 
 
 def readme_rows(results):
     """Rows with the peer."""
     delaunay = find(results["files"], "delaunay")
     lzma, zlib = "`.vtu`, best LZMA", "`.vtu`, zlib"
-    yield "File size, Delaunay mesh", "bits per tetrahedron", [bits(delaunay, "gtn")], [
-        bits(delaunay, "vtu-lzma-best")], lzma, False
-    yield "Loading it", "million tetrahedra per second", *loading(results, "delaunay", 0), zlib, True
+    for form, profile in PROFILES.items():
+        yield f"File size, Delaunay mesh, *{profile}*", "bits per tetrahedron", [bits(delaunay, form)], [
+            bits(delaunay, "vtu-lzma-best")], lzma, False
+    for form, profile in PROFILES.items():
+        yield (f"Loading it on one thread, *{profile}*", "million tetrahedra per second",
+               rates(delaunay["loads"][0], form), rates(delaunay["loads"][0], "vtu-zlib"), zlib, True)
+    yield ("The same, *fast*", "million tetrahedra per second",
+           *loading(results, "delaunay", "zstd-shuffle"), "zstd, shuffled arrays", True)
+    for form, profile in PROFILES.items():
+        yield (f"Packing it on one thread, *{profile}*", "million tetrahedra per second",
+               pack_rates(delaunay, form), pack_rates(delaunay, "vtu-zlib"), zlib, True)
     grid = find(images(results)["first"], "grid")
     caster = "VTK's ray caster"
     if grid:
@@ -147,8 +174,12 @@ def readme_rows(results):
                [head["gatun"][0]["bits"]], [head["zfp"][0]["bits"]], "zfp", False)
     scan = find(results["surfaces"], "scan")
     size, way = best_peer(scan)
-    yield ("Size of a scanned surface", "bits per triangle", [8 * scan["bytes"]["gtn"] / scan["triangles"]],
-           [8 * size / scan["triangles"]], WAYS[way], False)
+    for form, profile in PROFILES.items():
+        yield (f"Size of a scanned surface, *{profile}*", "bits per triangle",
+               [8 * scan["bytes"][form] / scan["triangles"]], [8 * size / scan["triangles"]], WAYS[way], False)
+    if "draco" in scan["seconds"]:
+        yield ("Loading it on one thread, *fast*", "million triangles per second",
+               triangle_rates(scan, "gtn"), triangle_rates(scan, "draco"), "Draco", True)
 
 
 def readme_table(results):
@@ -159,7 +190,11 @@ def readme_table(results):
     return table(["measurement", "Gatun", "peer", "advantage (range)"], rows)
 
 
-WAYS = {"gtn": "`.gtn`", "draco": "Draco", "openctm": "OpenCTM", "meshopt": "meshoptimizer and zstd",
+def triangle_rates(surface, way):
+    return [surface["triangles"] / seconds / 1e6 for seconds in surface["seconds"][way]]
+
+
+WAYS = {"gtn": "fast", "gtn-small": "small", "draco": "Draco", "openctm": "OpenCTM", "meshopt": "meshoptimizer and zstd",
         "vtp-zlib": "zlib `.vtp`", "vtp-lzma": "LZMA `.vtp`"}
 HEAD = ["measurement", "Gatun", "VTK", "advantage (range)"]
 
@@ -173,37 +208,82 @@ repeated](dissertation.md) from [results.json](performance/results.json).
 
 {machine(results)}
 {paragraph(f'''Peers take turns with Gatun. Cells are medians of the rounds; *advantage* is the median of their ratios, with its
-range: above 1 where Gatun is better, else bold. Gatun and `.vtu` files have default
-settings (zlib, 64-bit ids); *LZMA* is level 9 with 32-bit ids and blocks of 32 MiB. Files are in the page cache.
-All processors are used, unless stated.''')}
-{paragraph(f'''*delaunay* is a {delaunay["about"]} ({delaunay["pack"]["tets"]:,} tetrahedra, one float array), *grid* a
+range: above 1 where Gatun is better, else bold. *fast* and *small* are the profiles of `.gtn` files; where none
+is named, it is *fast*, the default. `.vtu` files have default settings (zlib, 64-bit ids); *LZMA* is level 9 with
+32-bit ids and blocks of 32 MiB. *zstd* is level 3 over the raw arrays in blocks of 1 MiB, much like
+a `.pv` file, also with the bytes of each block shuffled. Files are in the page cache. All processors are used, unless stated.''')}
+{paragraph(f'''*delaunay* is a {delaunay["about"]} ({delaunay["pack"]["cells"]:,} tetrahedra, one float array), *grid* a
 synthetic structured grid around a nose (five tetrahedra per hexahedron, one array), *flow* a smaller one with
-four arrays. Other meshes are real and not part of the project.''')}"""
+four arrays, *hexahedra* and *mixed* (also wedges, pyramids and polyhedra) are made alike. Other meshes are real
+and not part of the project.''')}"""
 
 
-def _files(results):
+def _sizes(results):
     rows = []
     for entry in results["files"]:
-        load = entry["load0"]
-        rows.append([entry["name"], f"{entry['pack']['tets']:,}",
-                     *(number(bits(entry, form)) for form in ("gtn", "vtu-lzma-best")),
-                     advantage([bits(entry, "gtn")], [bits(entry, "vtu-lzma-best")]),
-                     *(number(statistics.median(rates(load, form))) for form in ("gtn", "vtu-zlib")),
-                     advantage(rates(load, "gtn"), rates(load, "vtu-zlib"), True).split(" ")[0]])
-    text = "## Files\n\n" + paragraph("""Bits per cell of whole files, and million cells per second from a file to
-        `vtkUnstructuredGrid`. Points and cells of tetrahedral meshes are in random order, but for the grid. Files
-        are packed with the small profile.""") + "\n" + table(
-            ["mesh", "cells", "`.gtn`", "LZMA `.vtu`", "advantage", "loading `.gtn`", "zlib `.vtu`",
-             "advantage"], rows)
-    rows = [row("loading delaunay, one thread", "million/s", *loading(results, "delaunay", 1), True)]
-    for name in ("delaunay", "grid"):
-        entry = find(results["files"], name)
-        own, peer = ([run["first"]] for run in (entry["memory"][form] for form in ("gtn", "vtu-zlib")))
-        rows.append(row(f"peak memory of loading {name}", "MiB", memory(own), memory(peer)))
-    for name in ("delaunay", "grid"):
-        files = find(results["files"], name)["pack"]["files"]
-        rows.append(row(f"packing {name}", "s", files["gtn"]["seconds"], files["vtu-zlib"]["seconds"]))
-    return text + "\n" + table([*HEAD[:2], "zlib `.vtu`", HEAD[3]], rows)
+        rows.append([entry["name"], f"{entry['pack']['cells']:,}", *(number(bits(entry, form)) for form in FORMS),
+                     *(advantage([bits(entry, form)], [bits(entry, peer)])
+                       for form, peer in (("gtn", "vtu-zlib"), ("gtn-small", "vtu-lzma-best")))])
+    return "## Files\n\n" + paragraph("""Bits per cell of whole files, with the advantage of *fast* over zlib, and of *small*
+        over LZMA. Points and cells of tetrahedral meshes are in random order, but for the grid.""") + "\n" + table(
+            ["mesh", "cells", *FORMS.values(), "fast, zlib", "small, LZMA"], rows)
+
+
+def best_zstd(load):
+    return min(("zstd", "zstd-shuffle"), key=lambda form: statistics.median(load["seconds"][form]))
+
+
+def _loading(results):
+    rows, forms = [], [form for form in FORMS if form != "vtu-lzma-best"]
+    for entry in results["files"]:
+        for load in entry["loads"]:
+            threads = f", {load['threads']} threads" if load["threads"] > 1 else ""
+            rows.append([entry["name"] + threads, *(number(statistics.median(rates(load, form))) for form in forms),
+                         *(advantage(rates(load, form), rates(load, peer), True) for form, peer in (
+                             ("gtn", "vtu-zlib"), ("gtn", best_zstd(load)), ("gtn-small", "vtu-zlib")))])
+    return paragraph("""Million cells per second from a file to `vtkUnstructuredGrid`, on one thread unless stated, with the
+        advantage of *fast* over zlib, of *fast* over the faster one of both zstd, and of *small* over zlib:""") + (
+            "\n" + table(["mesh", *(FORMS[form] for form in forms), "fast, zlib", "fast, zstd", "small, zlib"], rows))
+
+
+def _packing(results):
+    rows, forms = [], (*PROFILES, "vtu-zlib")
+    for entry in results["files"]:
+        if "packing" in entry:
+            *own, peer = (pack_rates(entry, form) for form in forms)
+            rows.append(both(f"packing {entry['name']}", "million/s", own, peer, True))
+    for entry in results["files"]:
+        if "memory" in entry:
+            *own, peer = ([(run["first"]["peak"] - run["first"]["before"]) / run["gridBytes"]]
+                          for run in (entry["memory"][form] for form in forms))
+            rows.append(both(f"peak memory of loading {entry['name']}", "times the grid", own, peer))
+    for entry in results["steps"]:
+        *own, peer = (rates(entry, form) for form in forms)
+        rows.append(both(f"{entry['steps']} time steps, {entry['name']}", "million/s", own, peer, True))
+        rows.append(both("their size", "bits per cell of each step", *split(
+            [8 * entry["bytes"][form] / entry["cells"]] for form in forms)))
+    return paragraph("""Packing, and going forward through time steps of *flow* (in a `.vtu` file each), are on one thread. Memory is above
+        that of the new process, the grid included:""") + "\n" + table(
+            ["measurement", "fast", "small", "zlib `.vtu`", "advantage of fast (range)", "of small"], rows)
+
+
+def split(values):
+    *own, peer = values
+    return own, peer
+
+
+def _branches(results):
+    """Whether the loop that decodes has branches that cannot be predicted."""
+    counts = [(entry["name"], entry["loads"][0]["branchMisses"]) for entry in results["files"]]
+    if any(count["gtn"] is None for _, count in counts):
+        found = [f"{number(entry['simulatedMisses'])} ({entry['name']})" for entry in results["files"]
+                 if "simulatedMisses" in entry]
+        return paragraph("This machine does not tell how many branches are mispredicted." + (f"""
+            Cachegrind's simple predictor misses so many per cell while loading *fast* files: {', '.join(found)}."""
+            if found else ""))
+    return paragraph("Mispredicted branches per cell while loading:") + "\n" + table(
+        ["mesh", "fast", "small", "zlib `.vtu`"],
+        [[name, *(number(count[form]) for form in (*PROFILES, "vtu-zlib"))] for name, count in counts])
 
 
 def _images(results):
@@ -218,7 +298,7 @@ def _images(results):
 
 def _contours(results):
     return "## Isosurfaces\n\n" + paragraph("""At the median of the array: from the file to the triangles, in a separate process,
-        by `vtkGatunContour` from a `.gtn` file without and with layers, and by `vtkContour3DLinearGrid` from
+        by `vtkGatunContour` from a `.gtn` file (*fast*, or *small*) without and with layers, and by `vtkContour3DLinearGrid` from
         a zlib `.vtu` file; or from memory.""") + "\n" + table(
             HEAD, [row(*one) for one in contours(results)])
 
@@ -269,21 +349,26 @@ def _volumes(results):
 
 
 def _surfaces(results):
-    ways = [way for way in WAYS if way != "vtp-zlib" and any(way in entry["bytes"] for entry in results["surfaces"])]
-    rows = []
-    for entry in results["surfaces"]:
+    found = results["surfaces"]
+    ways = [way for way in WAYS if any(way in entry["bytes"] for entry in found)]
+    timed = [way for way in WAYS if any(way in entry["seconds"] for entry in found)]
+    rows, times = [], []
+    for entry in found:
         rows.append([entry["name"], f"{entry['triangles']:,}",
                      *(number(8 * entry["bytes"][way] / entry["triangles"]) for way in ways),
-                     advantage([entry["bytes"]["gtn"]], [best_peer(entry)[0]]),
-                     *(number(entry["triangles"] / statistics.median(entry["seconds"][way]) / 1e6)
-                       for way in ("gtn", "vtp-zlib"))])
-    return "## Surfaces\n\n" + paragraph("""Bits per triangle without loss (advantage over the best peer), and million triangles
-        per second from a file to `vtkPolyData`. Draco with `-cl 10 -qp 0`, OpenCTM with MG1 at level 9, zstd at
-        level 19.""") + "\n" + table(
-            ["surface", "triangles", *(WAYS[way] for way in ways), "advantage", "loading `.gtn`",
-             "zlib `.vtp`"], rows)
+                     *(advantage([entry["bytes"][form]], [best_peer(entry)[0]]) for form in PROFILES)])
+        times.append([entry["name"], *(number(statistics.median(triangle_rates(entry, way))) for way in timed),
+                      *(advantage(triangle_rates(entry, "gtn"), triangle_rates(entry, way), True)
+                        for way in timed if way not in PROFILES)])
+    return "## Surfaces\n\n" + paragraph("""Bits per triangle without loss, with the advantages of both profiles over the best peer.
+        Draco with `-qp 0`, OpenCTM with MG1 at level 9, zstd at level 19.""") + "\n" + table(
+            ["surface", "triangles", *(WAYS[way] for way in ways), "fast", "small"], rows) + "\n" + paragraph(
+                """Million triangles per second on one thread, with the advantage of *fast*: from a file to `vtkPolyData`, but
+                Draco and meshoptimizer from memory to memory, with 32-bit ids.""") + "\n" + table(
+                    ["surface", *(WAYS[way] for way in timed),
+                     *(f"over {WAYS[way]}" for way in timed if way not in PROFILES)], times)
 
 
 def page(results):
     return "\n".join(part(results) for part in (
-        _head, _files, _images, _contours, _simplification, _volumes, _surfaces))
+        _head, _sizes, _loading, _packing, _branches, _images, _contours, _simplification, _volumes, _surfaces))

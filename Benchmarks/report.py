@@ -25,16 +25,21 @@ DOCUMENTATION = ROOT / "Documentation"
 BEGIN, END = "<!-- written by Utilities/setup.sh bench -->\n", "<!-- end -->\n"
 ARRAY = "Density"
 
-# Cells of synthetic meshes, pixels, voxels along an edge, triangles, rounds for short and long cases.
-FULL = {"delaunay": 1000000, "grid": 5000000, "flow": 400000, "sizes": (512, 1024), "voxels": 128,
+# Cells of synthetic meshes, time steps, pixels, voxels along an edge, triangles, rounds for short and long cases.
+FULL = {"delaunay": 1000000, "grid": 5000000, "flow": 400000, "hexahedra": 500000, "mixed": 300000,
+        "step": 200000, "steps": 16, "sizes": (512, 1024), "voxels": 128,
         "scan": 1000000, "samples": 200000, "blocks": (4, 8, 16, 32, 64), "rays": 100000, "rounds": 7,
         "few": 3, "real": True}
-QUICK = {"delaunay": 3000, "grid": 5000, "flow": 4000, "sizes": (64,), "voxels": 24, "scan": 2000,
+QUICK = {"delaunay": 3000, "grid": 5000, "flow": 4000, "hexahedra": 2000, "mixed": 2000, "step": 2000,
+         "steps": 3, "sizes": (64,), "voxels": 24, "scan": 2000,
          "samples": 2000, "blocks": (4, 8), "rays": 2000, "rounds": 1, "few": 1, "real": False}
 
 # Real meshes, those of tetrahedra with the point array that is shown.
 TETS = {"bluntfin_tets": "Density", "comb_tets": "Density", "kiefer_bracket_tets": "vonMises_psi_pt"}
 CELLS = ("fire_ug", "can", "bunny_hex", "ac_room")
+MADE_CELLS = ("hexahedra", "mixed")
+PROFILES = {"gtn": "fast", "gtn-small": "small"}
+LOADED = (*PROFILES, "vtu-raw", "vtu-lz4", "vtu-zlib", "zstd", "zstd-shuffle")
 VOLUMES = {"ct": "CT_AVM.nii.gz", "mr": "brain1_mr_int16.vti"}
 RATIOS = "0,0.5,0.75,0.9,0.98"
 
@@ -58,7 +63,8 @@ class Meshes:
                                   else "jittered lattice, as TetGen is missing",
                       "grid": "structured grid around a nose, five tetrahedra per hexahedron",
                       "flow": "the same with four arrays"}
-        self.kinds = {"delaunay": "delaunay" if tetgen else "lattice", "grid": "flow1", "flow": "flow"}
+        self.kinds = {"delaunay": "delaunay" if tetgen else "lattice", "grid": "flow1", "flow": "flow",
+                      **{name: name for name in MADE_CELLS}}
         self.arrays = {"delaunay": ARRAY, "grid": ARRAY, "flow": ARRAY}
         for name, array in TETS.items():
             if real_file(mode, name + ".vtu"):
@@ -74,8 +80,8 @@ class Meshes:
         return file
 
     def file(self, name, form):
-        """One array: sorted along a curve, but for grids. form: vtu-raw, vtu-zlib, gtn, layers or
-        hierarchy."""
+        """One array: sorted along a curve, but for grids. form: vtu-raw, vtu-zlib, gtn, gtn-small, layers
+        or hierarchy."""
         file = self.runner.path("files", f"{name}-{form}.{'vtu' if 'vtu' in form else 'gtn'}")
         if file.exists():
             return file
@@ -83,7 +89,7 @@ class Meshes:
             options = ("--layers", self.arrays[name]) if form == "layers" else (
                 "--hierarchy", "--weight", self.arrays[name])
             self.runner.say(f"gtn pack {' '.join(options)} {name}")
-            self.runner.gtn("pack", "-q", *options, self.file(name, "vtu-raw"), file)
+            self.runner.gtn("pack", "-q", "--profile", "fast", *options, self.file(name, "vtu-raw"), file)
         else:
             order = ("--morton",) if name == "delaunay" else ()
             self.runner.case("prepare", self.source(name), file, "--format", form, "--array",
@@ -104,33 +110,76 @@ def rounds_of(count, ways):
     return found
 
 
-def measure_files(runner, mode, meshes):
-    """Sizes, packing and loading, points and cells in random order but for the grid; then real meshes
-    of other cells."""
+def extension(form):
+    return {"gtn": "gtn", "vtu": "vtu", "zstd": "zst"}[form.split("-")[0]]
+
+
+def simulate_misses(runner, file, cells):
+    """Mispredicted branches per cell of loading a file, as Cachegrind's simple predictor finds them. Of two
+    runs, one loads the file once more."""
+    log = runner.path("cachegrind.log")
+
+    def count(rounds):
+        runner.say(f"load {file} --rounds {rounds} (Cachegrind)")
+        runner.run("valgrind", "--tool=cachegrind", "--branch-sim=yes", "--cache-sim=no", f"--log-file={log}",
+                   "--cachegrind-out-file=/dev/null", *runner.command(1, "load", file, "--rounds", rounds))
+        told = re.search(r"Mispredicts: +([\d,]+)", log.read_text(encoding="utf-8"))
+        return int(told[1].replace(",", ""))
+    return (count(1) - count(0)) / cells
+
+
+def measure_files(runner, mode, meshes, processors):
+    """Sizes, packing and loading, points and cells in random order but for the grid; then meshes of other
+    cells."""
     measured = []
     sources = [(name, meshes.source(name), about) for name, about in meshes.about.items()]
+    sources += [(name, meshes.source(name), "") for name in MADE_CELLS]
     sources += [(name, real_file(mode, name + ".vtu"), "") for name in CELLS]
     for name, source, about in sources:
         if source is None:
             continue
-        is_tets, is_large = name in meshes.about, name == "grid"
-        if is_tets and not is_large:
+        is_large, is_main = name == "grid", name in ("delaunay", "grid")
+        if name in meshes.about and not is_large:
             permuted = runner.path("permuted.vtu")
             runner.case("prepare", source, permuted, "--permute")
             source = permuted
         folder = runner.folder("pack")
-        rounds = mode["few"] if is_large or not is_tets else mode["rounds"]
-        entry = {"name": name, "about": about, "tets": is_tets,
-                 "pack": runner.case("pack", source, folder, "--rounds", 1 if is_large else mode["few"])}
-        forms = {"gtn": "gtn.gtn", "gtn-fast": "gtn-fast.gtn", "vtu-zlib": "vtu-zlib.vtu"}
-        for threads in (0, 1) if name == "delaunay" else (0,):
-            load = runner.case("load", *(folder / file for file in forms.values()), "--rounds", rounds,
-                               threads=threads)
-            entry[f"load{threads}"] = {**load, "seconds": dict(zip(forms, load["seconds"]))}
-        if name in ("delaunay", "grid"):
-            entry["memory"] = {form: runner.case("load", folder / forms[form], "--rounds", 0)
-                               for form in ("gtn", "vtu-zlib")}
+        entry = {"name": name, "about": about, "pack": runner.case("pack", source, folder, "--rounds", 0)}
+        files = {form: folder / f"{form}.{extension(form)}" for form in LOADED}
+        entry["loads"] = [
+            {**load, **{key: dict(zip(LOADED, load[key])) for key in ("seconds", "branchMisses")}}
+            for load in (runner.case("load", *files.values(), "--rounds", mode["few" if is_large else "rounds"],
+                                     threads=threads)
+                         for threads in (dict.fromkeys((1, processors)) if is_main else (1,)))]
+        if is_main or name in MADE_CELLS:
+            entry["packing"] = runner.case(
+                "pack", source, folder, "--rounds", 1 if is_large else mode["few"], "--formats",
+                ",".join((*PROFILES, "vtu-zlib")), threads=1)
+        if is_main:
+            entry["memory"] = {form: runner.case("load", files[form], "--rounds", 0)
+                               for form in (*PROFILES, "vtu-zlib")}
+        counted = entry["loads"][0]["branchMisses"]["gtn"] is not None
+        if (name in MADE_CELLS or name == "flow") and not counted and shutil.which("valgrind"):
+            entry["simulatedMisses"] = simulate_misses(runner, files["gtn"], entry["pack"]["cells"])
         measured.append(entry)
+        shutil.rmtree(folder)
+    return measured
+
+
+def measure_steps(runner, mode):
+    """Forward through time steps of one mesh, in one file and in a .vtu file for each."""
+    measured = []
+    for name, options in (("points stand still", ()), ("points move", ("--moves",))):
+        folder = runner.folder("steps")
+        runner.case("make-steps", folder, "--tets", mode["step"], "--steps", mode["steps"], *options)
+        files = []
+        for form, profile in PROFILES.items():
+            files.append(runner.path(f"steps-{form}.gtn"))
+            runner.gtn("pack", "-q", "-f", "--profile", profile, *sorted(folder.glob("*.vtu")), files[-1])
+        known = runner.case("steps", folder, *files, "--rounds", mode["few"], threads=1)
+        forms = ("vtu-zlib", *PROFILES)
+        measured.append({"name": name, **known,
+                         **{key: dict(zip(forms, known[key])) for key in ("bytes", "seconds")}})
         shutil.rmtree(folder)
     return measured
 
@@ -145,8 +194,10 @@ def measure_images(runner, mode, meshes, threads):
         def draw(form, budget, name=name, size=size):
             return lambda: runner.case("image", meshes.file(name, form), "--size", size, "--budget",
                                        budget, threads=threads, window=True)
-        first.append({"name": name, "size": size, **rounds_of(mode["few"], {
-            "gtn": draw("gtn", 512), "gtn-0": draw("gtn", 0), "vtu-zlib": draw("vtu-zlib", 0)})})
+        ways = {"gtn": draw("gtn", 512), "gtn-0": draw("gtn", 0), "vtu-zlib": draw("vtu-zlib", 0)}
+        if name == "grid":
+            ways["gtn-small"] = draw("gtn-small", 512)
+        first.append({"name": name, "size": size, **rounds_of(mode["few"], ways)})
     later = []
     for name in meshes.shown("delaunay", "grid", "bluntfin"):
         for size in mode["sizes"] if name == "delaunay" else mode["sizes"][-1:]:
@@ -167,7 +218,7 @@ def measure_contours(runner, mode, meshes):
         options = (*array, "--values", value["values"][0])
         files = rounds_of(mode["rounds"], {
             form: lambda form=form: runner.case("contour", meshes.file(name, form), *options)
-            for form in ("gtn", "layers", "vtu-zlib")})
+            for form in ("gtn", *(("gtn-small",) if name == "grid" else ()), "layers", "vtu-zlib")})
         measured.append({"name": name, "tets": value["tets"], "files": files, "memory": runner.case(
             "contour-memory", meshes.file(name, "vtu-raw"), *options, "--rounds", mode["rounds"])})
     return measured
@@ -233,31 +284,31 @@ def find_surfaces(runner, mode, meshes):
         yield name, file
 
 
-def run_peer(runner, rounds, pattern, packed, encode, decode):
-    """Bytes, and the seconds of decoding that a program tells in ms."""
-    runner.run(*encode)
-    found = [re.search(pattern, runner.run(*decode)) for _ in range(rounds)]
-    return packed.stat().st_size, [float(one[1]) / 1000 for one in found]
-
-
 def measure_surfaces(runner, mode, meshes):
+    """Each round has all ways. Of OpenCTM only the size is of interest."""
     measured = []
     for name, file in find_surfaces(runner, mode, meshes):
-        packed, folder = runner.path("packed.gtn"), runner.folder("peers")
-        runner.gtn("pack", "-q", "-f", file, packed)
-        entry = {"name": name, **runner.case("surface", file, packed, folder, "--rounds", mode["few"])}
-        obj, out = folder / "peers.obj", folder / "peer.ply"
-        draco, ctm = folder / "peer.drc", folder / "peer.ctm"
-        peers = {"draco": (r"\((\d+) ms to decode", draco,
-                           ("draco_encoder", "-i", obj, "-o", draco, "-cl", 10, "-qp", 0),
-                           ("draco_decoder", "-i", draco, "-o", out)),
-                 "openctm": (r"Loading \S+ *([\d.]+) ms", ctm,
-                             ("ctmconv", obj, ctm, "--method", "MG1", "--level", 9),
-                             ("ctmconv", ctm, out))}
-        for peer, (pattern, coded, encode, decode) in peers.items():
-            if shutil.which(encode[0]):
-                entry["bytes"][peer], entry["seconds"][peer] = run_peer(
-                    runner, mode["few"], pattern, coded, encode, decode)
+        folder = runner.folder("peers")
+        packed = {form: folder / f"{form}.gtn" for form in PROFILES}
+        for form, profile in PROFILES.items():
+            runner.gtn("pack", "-q", "--profile", profile, file, packed[form])
+        obj, draco, ctm = folder / "peers.obj", folder / "peer.drc", folder / "peer.ctm"
+        entry = {"name": name, "seconds": {}}
+        for _ in range(mode["few"]):
+            known = runner.case("surface", file, folder, *packed.values(), threads=1)
+            for way, seconds in known.pop("seconds").items():
+                entry["seconds"].setdefault(way, []).extend(seconds)
+            entry.update({**known, "bytes": {**entry.get("bytes", {}), **known["bytes"]}})
+            if shutil.which("draco_encoder"):
+                if not draco.exists():
+                    runner.run("draco_encoder", "-i", obj, "-o", draco, "-qp", 0)
+                told = runner.run("draco_decoder", "-i", draco, "-o", folder / "peer.ply")
+                seconds = max(1, int(re.search(r"\((\d+) ms to decode", told)[1])) / 1000
+                entry["seconds"].setdefault("draco", []).append(seconds)
+                entry["bytes"]["draco"] = draco.stat().st_size
+        if shutil.which("ctmconv"):
+            runner.run("ctmconv", obj, ctm, "--method", "MG1", "--level", 9)
+            entry["bytes"]["openctm"] = ctm.stat().st_size
         measured.append(entry)
         shutil.rmtree(folder)
     return measured
@@ -318,7 +369,8 @@ def measure(runner, mode):
     results = {"quick": mode is QUICK, "machine": running.machine(runner)}
     threads = results["machine"]["processors"]
     meshes = Meshes(runner, mode, results["machine"]["tetgen"])
-    results["files"] = measure_files(runner, mode, meshes)
+    results["files"] = measure_files(runner, mode, meshes, threads)
+    results["steps"] = measure_steps(runner, mode)
     results["images"] = measure_images(runner, mode, meshes, threads)
     results["contours"] = measure_contours(runner, mode, meshes)
     results["simplification"] = measure_simplification(runner, mode, meshes)
