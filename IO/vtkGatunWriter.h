@@ -150,12 +150,13 @@ public:
 
   ///@{
   /**
-   * Largest number of tetrahedra in a chunk, the smallest part that can be read: 64 to 1048576, or
-   * 0 for 65536 (131072 for meshes of over one million, 262144 for over 10 million; a quarter of it
-   * with layers). Other cells count as the tetrahedra that they can be split into. Of a mesh in
-   * pieces, each counts as an equal share of the mesh. Small chunks make larger files. Default: 0.
+   * Largest number of cells in a chunk, the smallest part that can be read: 64 to 1048576, or 0 for
+   * 65536 (131072 for meshes of over one million, 262144 for over 10 million; a quarter of it with
+   * layers). In the fast profile, chunks have 65535 points at most, too; in the small one, cells
+   * count as the tetrahedra that they can be split into. Of a mesh in pieces, each counts as an
+   * equal share of the mesh. Small chunks make larger files. Default: 0.
    */
-  virtual void SetChunkSize(int tetrahedra);
+  virtual void SetChunkSize(int cells);
   vtkGetMacro(ChunkSize, int);
   ///@}
 

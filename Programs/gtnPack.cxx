@@ -311,8 +311,9 @@ void AddPack(CLI::App& app, Settings& settings)
     ->option_text("WHAT");
   command
     ->add_option("--chunk-size", options->ChunkSize,
-      "Maximum number of tetrahedra per chunk, 64 to 1048576 (default: 65536; 131072 for more than "
-      "one million tetrahedra, 262144 for more than 10 million; a quarter of that with --layers)")
+      "Maximum number of cells per chunk, 64 to 1048576, and at most 65535 points; with --profile "
+      "small, of tetrahedra that cells can be split into (default: 65536; 131072 for more than one "
+      "million, 262144 for more than 10 million; a quarter of that with --layers)")
     ->check(CLI::Range(64, 1048576))
     ->option_text("N");
   command

@@ -344,7 +344,7 @@ def write(
             one gets it, with NaN, or 0 if it is of integers.
         times: for a series, the times of its meshes, ascending (default: 0, 1, 2, ...); for an
             algorithm that has time steps, True to write all of them.
-        chunk_size: largest number of tetrahedra in a chunk, 64 to 1048576, or 0 (automatic).
+        chunk_size: largest number of cells in a chunk, 64 to 1048576, or 0 (automatic).
         key_step_interval: number of time steps from one that needs no other step to the next.
         quality, rms_error, psnr, bits_per_voxel: for volumes, one of these: quality from 1 to 100
             (default: 60), largest root mean square error (0: lossless), least peak signal-to-noise
