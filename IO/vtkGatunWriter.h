@@ -307,10 +307,10 @@ public:
   ///@{
   /**
    * Whether the time steps are added to the file, if it exists. It has to have time and the same
-   * arrays, and its last time has to be before theirs. KeepOrder, ChunkSize and KeyStepInterval
-   * are then those of the file. Its bytes are copied; meshes that are in the file already, written
-   * with the same options, are stored once. Not with NumberOfPieces or several processes.
-   * Default: off.
+   * arrays, and its last time has to be before theirs. Profile, KeepOrder, ChunkSize and
+   * KeyStepInterval are then those of the file. Its bytes are copied; meshes that are in the file
+   * already, written with the same options, are stored once. Not with NumberOfPieces or several
+   * processes. Default: off.
    */
   vtkSetMacro(Append, bool);
   vtkGetMacro(Append, bool);

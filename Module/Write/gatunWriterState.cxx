@@ -54,6 +54,7 @@ void WriterState::DescribeArrays(const std::vector<ArrayDescription>& arrays)
   this->Meta.WriterVersion = PackageVersion();
   this->Meta.WideIds = false;
   this->Meta.Keep = this->Options.Keep;
+  this->Meta.Coding = this->Options.Coding;
   this->Meta.KeyStepInterval = this->Options.KeyStepInterval;
   this->Meta.PointsMove = this->Options.PointsMove;
   this->Meta.Arrays = arrays;
