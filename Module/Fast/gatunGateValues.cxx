@@ -21,11 +21,11 @@ namespace gatun
 namespace
 {
 /** Those that the encoder tries: the middle of the face, from there on past the vertex behind it,
- * parallelograms, and copies. */
-constexpr std::array<GateWeights, 11> CommonWeights{ { { 85, 85, 86, 0 }, { 171, 171, 170, -256 },
+ * parallelograms, also with middles of edges, and copies. */
+constexpr std::array<GateWeights, 12> CommonWeights{ { { 85, 85, 86, 0 }, { 171, 171, 170, -256 },
   { 128, 128, 128, -128 }, { 256, 256, -256, 0 }, { -256, 256, 256, 0 }, { 256, -256, 256, 0 },
-  { 256, 256, 0, -256 }, { 0, 256, 256, -256 }, { 256, 0, 256, -256 }, { 0, 0, 256, 0 },
-  { 256, 0, 0, 0 } } };
+  { 256, 256, 0, -256 }, { 0, 256, 256, -256 }, { 256, 0, 256, -256 }, { 256, 256, -128, -128 },
+  { 0, 0, 256, 0 }, { 256, 0, 0, 0 } } };
 
 /** The place in a gate of the first vertex with a key, or GateSize. */
 unsigned FindCopy(PackedTet gate, std::span<const Key> keys, Key key)
