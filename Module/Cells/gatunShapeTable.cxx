@@ -9,6 +9,25 @@ namespace gatun
 {
 namespace
 {
+std::shared_ptr<const FormTable> ReadForms(std::span<const std::uint8_t> bytes)
+{
+  ByteReader in(bytes);
+  auto forms = std::make_shared<FormTable>();
+  for (auto count = in.GetCount(2); count > 0; --count)
+  {
+    const CellForm form(in.GetBytes(in.GetCount(1)));
+    if (!forms->AddShape(form.GetSurface(), form.Corners))
+    {
+      ThrowCorrupt("a table of shapes is too long or has a shape twice");
+    }
+  }
+  if (in.GetRemaining() > 0)
+  {
+    ThrowCorrupt("there are bytes behind the last shape");
+  }
+  forms->MakeFrames();
+  return forms;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -166,23 +185,13 @@ Bytes ShapeTable::Write() const
 
 ShapeTable ShapeTable::Read(std::span<const std::uint8_t> bytes)
 {
-  ByteReader in(bytes);
-  auto forms = std::make_shared<FormTable>();
-  for (auto count = in.GetCount(2); count > 0; --count)
-  {
-    const CellForm form(in.GetBytes(in.GetCount(1)));
-    if (!forms->AddShape(form.GetSurface(), form.Corners))
-    {
-      ThrowCorrupt("a table of shapes is too long or has a shape twice");
-    }
-  }
-  if (in.GetRemaining() > 0)
-  {
-    ThrowCorrupt("there are bytes behind the last shape");
-  }
-  forms->MakeFrames();
+  // Many files have no shapes of their own. The forms of all files are made once, as that takes
+  // time.
+  static constexpr std::array<std::uint8_t, 1> none{ 0 };
+  static const auto formsOfNone = ReadForms(none);
   ShapeTable table;
-  table.Forms = std::move(forms);
+  table.Forms = std::equal(bytes.begin(), bytes.end(), none.begin(), none.end()) ? formsOfNone
+                                                                                 : ReadForms(bytes);
   return table;
 }
 
