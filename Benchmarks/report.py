@@ -277,7 +277,7 @@ def find_surfaces(runner, mode, meshes):
     for name, (source, count) in sources.items():
         if count:
             array = ("--array", ARRAY) if source.suffix == ".vtu" else ()
-            runner.gtn("contour", "-q", "-f", *array, "--number", count, source, whole)
+            runner.gtn("contour", "-q", "-f", "--precision", "single", *array, "--number", count, source, whole)
         runner.case("make-surface", file, "--mesh", whole if count else source)
         yield name, file
 
