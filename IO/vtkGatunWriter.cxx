@@ -120,9 +120,9 @@ vtkDataArraySelection* vtkGatunWriter::GetCellDataArraySelection()
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunWriter::SetChunkSize(int tetrahedra)
+void vtkGatunWriter::SetChunkSize(int cells)
 {
-  const int clamped = tetrahedra <= 0 ? 0 : std::clamp(tetrahedra, 64, 1048576);
+  const int clamped = cells <= 0 ? 0 : std::clamp(cells, 64, 1048576);
   if (this->ChunkSize != clamped)
   {
     this->ChunkSize = clamped;

@@ -150,12 +150,13 @@ public:
 
   ///@{
   /**
-   * Largest number of tetrahedra in a chunk, the smallest part that can be read: 64 to 1048576, or
-   * 0 for 65536 (131072 for meshes of over one million, 262144 for over 10 million; a quarter of it
-   * with layers). Other cells count as the tetrahedra that they can be split into. Of a mesh in
-   * pieces, each counts as an equal share of the mesh. Small chunks make larger files. Default: 0.
+   * Largest number of cells in a chunk, the smallest part that can be read: 64 to 1048576, or 0 for
+   * 65536 (131072 for meshes of over one million, 262144 for over 10 million; a quarter of it with
+   * layers). In the fast profile, chunks have 65535 points at most, too; in the small one, cells
+   * count as the tetrahedra that they can be split into. Of a mesh in pieces, each counts as an
+   * equal share of the mesh. Small chunks make larger files. Default: 0.
    */
-  virtual void SetChunkSize(int tetrahedra);
+  virtual void SetChunkSize(int cells);
   vtkGetMacro(ChunkSize, int);
   ///@}
 
@@ -190,8 +191,8 @@ public:
 
   ///@{
   /**
-   * Whether the file is optimized for size or for reading speed. Fast files take up to twice the
-   * space. Default: PROFILE_SMALL.
+   * Whether the file is optimized for size or for reading speed. Fast files are read several times
+   * faster and take up to twice the space. Default: PROFILE_FAST.
    */
   enum ProfileType
   {
@@ -306,10 +307,10 @@ public:
   ///@{
   /**
    * Whether the time steps are added to the file, if it exists. It has to have time and the same
-   * arrays, and its last time has to be before theirs. KeepOrder, ChunkSize and KeyStepInterval
-   * are then those of the file. Its bytes are copied; meshes that are in the file already, written
-   * with the same options, are stored once. Not with NumberOfPieces or several processes.
-   * Default: off.
+   * arrays, and its last time has to be before theirs. Profile, KeepOrder, ChunkSize and
+   * KeyStepInterval are then those of the file. Its bytes are copied; meshes that are in the file
+   * already, written with the same options, are stored once. Not with NumberOfPieces or several
+   * processes. Default: off.
    */
   vtkSetMacro(Append, bool);
   vtkGetMacro(Append, bool);
@@ -436,7 +437,7 @@ protected:
   int KeepOrder = KEEP_NONE;
   int ChunkSize = 0;
   int KeyStepInterval = 8;
-  int Profile = PROFILE_SMALL;
+  int Profile = PROFILE_FAST;
   bool Hierarchy = false;
   int Levels = 0;
   bool WriteBoundary = false;

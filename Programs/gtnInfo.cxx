@@ -10,6 +10,8 @@
 #include "gtnHistogram.h"
 #include "gtnInput.h"
 #include "gtnJson.h"
+#include "gtnNames.h"
+#include "gtnOtherProfile.h"
 #include "gtnReadable.h"
 #include "gtnText.h"
 
@@ -78,6 +80,18 @@ std::shared_ptr<const gatun::FileReader> Open(const std::string& file)
   }
 }
 
+// About how many bytes the file would take in the other profile.
+void DescribeOtherProfile(const gatun::FileReader& file, Description& description)
+{
+  if (const auto bytes = EstimateOtherProfile(file))
+  {
+    const bool isFast = file.GetProfile() == gatun::Profile::Fast;
+    const std::string other = NameOfProfile(isFast ? gatun::Profile::Small : gatun::Profile::Fast);
+    description.Add("otherProfileBytes", ("  as " + other).c_str(),
+      { Json::Value(Json::UInt64{ *bytes }), "about " + GroupDigits(*bytes) + " bytes" });
+  }
+}
+
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
@@ -87,9 +101,10 @@ void AddInfo(CLI::App& app, Settings& settings)
   CLI::App* command = AddCommand(app, settings, "info",
     "Print the contents of a .gtn file and the sizes of its parts. Only the directory of the file "
     "is\n"
-    "read; with --histogram also one array, a few chunks at a time.",
+    "read; with --histogram also one array, a few chunks at a time, and with -v a piece, to see\n"
+    "what the file would take in the other profile.",
     "  gtn info mesh.gtn\n"
-    "  gtn info -v mesh.gtn             # with the times and the chunk table\n"
+    "  gtn info -v mesh.gtn             # with the times, the chunk table, the other profile\n"
     "  gtn info --histogram pressure:30 mesh.gtn\n"
     "  gtn info --json mesh.gtn | jq .sizes.connectivity.bitsPerCell");
   command->add_flag("--json", options->Json, "Print JSON");
@@ -109,6 +124,10 @@ void AddInfo(CLI::App& app, Settings& settings)
       const HistogramOptions wanted = HistogramOf(*options);
       const auto file = Open(options->File);
       Description description = gatun::DescribeMesh(*file, settings.Verbose);
+      if (settings.Verbose)
+      {
+        DescribeOtherProfile(*file, description);
+      }
       if (!wanted.Array.empty())
       {
         Histogram(file, wanted).Describe(description);

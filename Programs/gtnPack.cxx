@@ -67,7 +67,7 @@ struct PackOptions
   int LayerComponent = -1;
   std::optional<std::string> PointTolerance; ///< as given
   std::vector<std::string> Tolerances;       ///< of arrays, as given
-  std::string Profile = "small";
+  std::string Profile = "fast";
   bool FillMissing = false;
   bool Append = false;
   PieceOptions Pieces;
@@ -305,14 +305,15 @@ void AddPack(CLI::App& app, Settings& settings)
     ->option_text("WHAT");
   command
     ->add_option("--profile", options->Profile,
-      "Optimize the file for size (small) or for reading speed (fast; takes up to twice the space) "
-      "(default: small)")
-    ->check(CLI::IsMember({ "small", "fast" }))
+      "Optimize the file for reading speed (fast) or for size (small; up to half the space, read "
+      "several times slower) (default: fast)")
+    ->check(CLI::IsMember({ "fast", "small" }))
     ->option_text("WHAT");
   command
     ->add_option("--chunk-size", options->ChunkSize,
-      "Maximum number of tetrahedra per chunk, 64 to 1048576 (default: 65536; 131072 for more than "
-      "one million tetrahedra, 262144 for more than 10 million; a quarter of that with --layers)")
+      "Maximum number of cells per chunk, 64 to 1048576, and at most 65535 points; with --profile "
+      "small, of tetrahedra that cells can be split into (default: 65536; 131072 for more than one "
+      "million, 262144 for more than 10 million; a quarter of that with --layers)")
     ->check(CLI::Range(64, 1048576))
     ->option_text("N");
   command

@@ -144,6 +144,12 @@ std::string NameOfCellType(int type)
 }
 
 //------------------------------------------------------------------------------
+std::string NameOfProfile(Profile profile)
+{
+  return profile == Profile::Fast ? "fast" : "small";
+}
+
+//------------------------------------------------------------------------------
 std::string NameOfKeptOrder(std::uint8_t kept)
 {
   std::vector<std::string> parts;

@@ -46,6 +46,7 @@ VTKGATUNIO_EXPORT std::string NameOfCellType(int type);
 
 /** "points, cells, corners" of flags of gatun::KeepOrder, or "none". */
 VTKGATUNIO_EXPORT std::string NameOfKeptOrder(std::uint8_t kept);
+VTKGATUNIO_EXPORT std::string NameOfProfile(Profile profile);
 }
 
 #endif

@@ -288,6 +288,7 @@ Description DescribeMesh(const FileReader& file, bool verbose)
   description.Add("coordinateType", "coordinates", Entry(NameOfType(file.GetCoordinateType())));
   description.Add("idBits", "id bits", Entry(std::uint64_t{ file.HasWideIds() ? 64U : 32U }));
   description.Add("chunks", "chunks", Entry(file.GetChunks().size()));
+  description.Add("profile", "profile", Entry(NameOfProfile(file.GetProfile())));
   description.Add("keptOrder", "kept order", { order, NameOfKeptOrder(kept) });
   description.Add("bounds", "bounds", EntryOfRanges(file.GetBounds(), ", ", 7));
   const bool pointsMove = file.HasMovingPoints();

@@ -100,7 +100,7 @@ void MemoryRayMesh::Internals::TakePoints(const MeshAccess& mesh, const RayValue
 void MemoryRayMesh::Internals::TakeTets(const MeshAccess& mesh, const RayValuesInput& values,
   const unsigned char* hidden, const Progress& progress)
 {
-  const auto parts = MakePartition(mesh, MemoryRaySource::DefaultBlockTets, progress);
+  const auto parts = MakePartition(mesh, { MemoryRaySource::DefaultBlockTets }, progress);
   auto list = std::make_shared<TetList>();
   list->Tets.reserve(parts.Cells.size());
   WithValues(values,

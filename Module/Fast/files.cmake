@@ -16,6 +16,7 @@ gatun_core_folder(Fast
     gatunFaceOrder.h
     gatunFaceTable.h
     gatunGateLanes.h
+    gatunGatePredictor.h
     gatunGateRule.h
     gatunGateValues.h
     gatunNumberStream.h

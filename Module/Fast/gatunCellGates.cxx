@@ -27,16 +27,17 @@ std::uint64_t SumDistances(const Places& places, const Places& others)
   return sum;
 }
 
-/** The bits of all residuals to a + b - c, or least if they are not fewer. */
-unsigned CountBits(
-  const Places& places, const Places& a, const Places& b, const Places& c, unsigned least)
+/** The bits of all residuals to a + b - (c + d) / 2, or least if they are not fewer. */
+unsigned CountBits(const Places& places, const std::array<const Places*, 4>& gate, unsigned least)
 {
+  const auto& [a, b, c, d] = gate;
   unsigned bits = 0;
   for (std::size_t i = 0; i < places.size() && bits < least; ++i)
   {
     for (unsigned axis = 0; axis < 3; ++axis)
     {
-      const auto residual = a[i][axis] + b[i][axis] - c[i][axis] - places[i][axis];
+      const auto residual =
+        (*a)[i][axis] + (*b)[i][axis] - ((*c)[i][axis] + (*d)[i][axis]) / 2 - places[i][axis];
       bits += static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(std::abs(residual))));
     }
   }
@@ -70,6 +71,16 @@ std::optional<CellTemplate::Gate> GateFinder::Find(
   const auto ends = std::min(near, sorted.size());
   unsigned least = std::numeric_limits<unsigned>::max();
   CellTemplate::Gate best{};
+  const auto consider =
+    [&](const Candidate& a, const Candidate& b, const Candidate& c, const Candidate& d)
+  {
+    const auto bits = CountBits(places, { &a.Places, &b.Places, &c.Places, &d.Places }, least);
+    if (bits < least)
+    {
+      least = bits;
+      best = { a.Name, b.Name, c.Name, d.Name };
+    }
+  };
   for (std::size_t a = 0; a < ends; ++a)
   {
     for (std::size_t b = 0; b <= a; ++b)
@@ -80,16 +91,10 @@ std::optional<CellTemplate::Gate> GateFinder::Find(
         {
           continue; // a copy, which a = b = c is, too
         }
-        const auto& one = *sorted[a].second;
-        const auto& two = *sorted[b].second;
-        const auto& three = *sorted[c].second;
-        const auto bits = CountBits(places, one.Places, two.Places, three.Places, least);
-        if (bits < least)
-        {
-          least = bits;
-          best = { one.Name, two.Name, three.Name, three.Name };
-        }
+        consider(*sorted[a].second, *sorted[b].second, *sorted[c].second, *sorted[c].second);
       }
+      // The middle of an edge.
+      consider(*sorted[a].second, *sorted[b].second, *sorted[a].second, *sorted[b].second);
     }
   }
   return best;

@@ -16,7 +16,8 @@
 
 namespace gatun
 {
-/** Finds the gate that predicts a vertex best as a parallelogram, from samples of it. */
+/** Finds the gate that predicts a vertex best, as a parallelogram or the middle of an edge, from
+ * samples of it. */
 class GateFinder
 {
 public:

@@ -54,9 +54,10 @@ constexpr bool FitsCellTree(std::size_t cells, std::size_t vertices)
 }
 
 /** Encodes cells. Vertices below shared are the shared ones; each is used. Cells keep the order of
- * their corners, but the points and faces of polyhedra may come in another order. */
+ * their corners, but the points and faces of polyhedra may come in another order, and triangles may
+ * begin with another corner unless keepCorners. */
 EncodedCellTree EncodeCellTree(
-  const CellList& cells, std::uint32_t shared, std::span<const TreePlace> places);
+  const CellList& cells, std::uint32_t shared, std::span<const TreePlace> places, bool keepCorners);
 
 /** Decodes a stream of EncodeCellTree. Safe on hostile input: throws Error(Corrupt). */
 CellTree DecodeCellTree(std::span<const std::uint8_t> stream, const CellTreeSize& size);

@@ -45,9 +45,11 @@ struct KeyChoice
 class CellTreeEncoder
 {
 public:
-  CellTreeEncoder(const CellList& cells, std::uint32_t shared, std::span<const TreePlace> places)
+  CellTreeEncoder(const CellList& cells, std::uint32_t shared, std::span<const TreePlace> places,
+    bool keepCorners)
     : Cells(cells)
     , Shared(shared)
+    , KeepCorners(keepCorners)
     , Places(places)
     , Users(cells, places.size())
     , Numbers(places.size(), Unmet)
@@ -107,6 +109,12 @@ private:
     key.Hidden = coded.Hidden;
     key.Pattern = pattern;
     coded.From = this->Finder.From;
+    Triangle turned{};
+    if (!this->KeepCorners && type == TriangleType && points.size() == turned.size())
+    {
+      turned = this->Turn(points, sources);
+      points = turned;
+    }
     KeyChoice keys;
     SetList(key, points.size(), 0);
     keys.List = this->FindKey(key);
@@ -119,6 +127,41 @@ private:
       this->Coded.Points.push_back(this->Meet(point));
     }
     this->Coded.Items.push_back(coded);
+  }
+
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  /** Of the ways to turn a triangle, the one whose places are the least in lexicographic order, so
+   * that templates are few. */
+  Triangle Turn(std::span<const std::uint32_t> corners, unsigned sources) const
+  {
+    Triangle best{};
+    std::copy(corners.begin(), corners.end(), best.begin());
+    auto turned = best;
+    const auto getPlaces = [&](const Triangle& triangle)
+    {
+      return std::array{ this->FindPlace(triangle[0], sources),
+        this->FindPlace(triangle[1], sources), this->FindPlace(triangle[2], sources) };
+    };
+    for (int turn = 1; turn < 3; ++turn)
+    {
+      std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+      best = getPlaces(turned) < getPlaces(best) ? turned : best;
+    }
+    return best;
+  }
+
+  /** The place of a corner in a head: of a new or far vertex, that of the first one. */
+  std::uint8_t FindPlace(std::uint32_t corner, unsigned sources) const
+  {
+    const auto number = this->Numbers[corner];
+    if (number == Unmet)
+    {
+      return CellTemplate::New;
+    }
+    const auto near =
+      this->Coded.FindNear(number, this->Finder.From, sources, CellTemplate::MaxHead);
+    return near != Unmet ? static_cast<std::uint8_t>(near) : CellTemplate::Far;
   }
 
   /** The number of corners that a template may copy. */
@@ -153,8 +196,8 @@ private:
 
   void SetHead(TemplateKey& key, std::span<const std::uint32_t> head, unsigned sources)
   {
-    unsigned news = 0;
-    unsigned fars = 0;
+    std::uint8_t news = 0;
+    std::uint8_t fars = 0;
     key.From.fill(CellTemplate::Nothing);
     for (unsigned k = 0; k < head.size(); ++k)
     {
@@ -165,13 +208,11 @@ private:
         key.From[k] = key.From[same];
         continue;
       }
-      const auto number = this->Numbers[head[k]];
-      const auto near = number != Unmet
-        ? this->Coded.FindNear(number, this->Finder.From, sources, CellTemplate::MaxHead)
-        : Unmet;
-      key.From[k] = static_cast<std::uint8_t>(near != Unmet ? near
-          : number == Unmet                                 ? CellTemplate::New + news++
-                                                            : CellTemplate::Far + fars++);
+      const auto place = this->FindPlace(head[k], sources);
+      const auto others = place == CellTemplate::New ? news++
+        : place == CellTemplate::Far                 ? fars++
+                                                     : std::uint8_t{ 0 };
+      key.From[k] = static_cast<std::uint8_t>(place + others);
     }
   }
 
@@ -449,6 +490,7 @@ private:
 
   const CellList& Cells;
   const std::uint32_t Shared;
+  const bool KeepCorners;
   const std::span<const TreePlace> Places; // of the input's vertices
   const CellUsers Users;
   Ids Numbers; // of the input's vertices
@@ -467,8 +509,8 @@ private:
 
 //------------------------------------------------------------------------------
 EncodedCellTree EncodeCellTree(
-  const CellList& cells, std::uint32_t shared, std::span<const TreePlace> places)
+  const CellList& cells, std::uint32_t shared, std::span<const TreePlace> places, bool keepCorners)
 {
-  return CellTreeEncoder(cells, shared, places).Encode();
+  return CellTreeEncoder(cells, shared, places, keepCorners).Encode();
 }
 }

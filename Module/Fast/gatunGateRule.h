@@ -7,6 +7,7 @@
 // How the values of a vertex are predicted from its gate. See Documentation/format.md, 10.12.
 
 #include "gatunBytes.h"
+#include "gatunDomain.h"
 #include "gatunError.h"
 #include "gatunTetTree.h"
 
@@ -69,6 +70,29 @@ struct VertexRule
     }
     return rule;
   }
+};
+
+/** The vertices of a chunk with a TetTree. */
+struct GateVertices
+{
+  std::span<const PackedTet> Gates;
+  std::span<const std::uint32_t> Sources; ///< as in TetTree
+};
+
+/** How values before help. */
+enum class BeforeUse : std::uint8_t
+{
+  None,
+  Repeat, ///< the value before is the prediction
+  Change  ///< the change since then is predicted
+};
+
+/** The keys of a component now, and before if they are used. */
+struct GateKeys
+{
+  std::span<Key> Now;
+  std::span<const Key> Before{};
+  BeforeUse Use = BeforeUse::None;
 };
 
 /** Whether a vertex is an own one, by its source. */

@@ -8,36 +8,16 @@
 
 #include "gatunBytes.h"
 #include "gatunDomain.h"
-#include "gatunTetTree.h"
+#include "gatunGateRule.h"
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace gatun
 {
-/** The vertices of a chunk with a TetTree. */
-struct GateVertices
-{
-  std::span<const PackedTet> Gates;
-  std::span<const std::uint32_t> Sources; ///< as in TetTree
-};
-
-/** How values before help. */
-enum class BeforeUse : std::uint8_t
-{
-  None,
-  Repeat, ///< the value before is the prediction
-  Change  ///< the change since then is predicted
-};
-
-/** The keys of a component now, and before if they are used. */
-struct GateKeys
-{
-  std::span<Key> Now;
-  std::span<const Key> Before{};
-  BeforeUse Use = BeforeUse::None;
-};
+/** The rule for the keys of all vertices that takes the fewest bits. */
+VertexRule ChooseVertexRule(
+  const Domain& domain, const GateVertices& vertices, const GateKeys& keys);
 
 /** Codes the keys of own vertices; those of shared ones are known. Decoding is safe on hostile
  * input: throws Error(Corrupt). */

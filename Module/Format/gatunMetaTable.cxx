@@ -13,7 +13,8 @@ namespace
 constexpr std::uint8_t FlagTime = 1;
 constexpr std::uint8_t FlagMotion = 2;
 constexpr std::uint8_t FlagPoints = 4; // the array of the points is described
-constexpr std::uint8_t TimeFlags = FlagTime | FlagMotion | FlagPoints;
+constexpr std::uint8_t FlagFast = 8;
+constexpr std::uint8_t AllFlags = FlagTime | FlagMotion | FlagPoints | FlagFast;
 }
 
 //------------------------------------------------------------------------------
@@ -37,8 +38,9 @@ Bytes MetaTable::Write() const
   out.Put(static_cast<std::uint8_t>(this->CoordinateType));
   out.Put(static_cast<std::uint8_t>(this->WideIds));
   const bool hasPoints = this->PointArray != PointsDescription();
-  out.Put(static_cast<std::uint8_t>((this->HasTime ? FlagTime : 0) |
-    (this->PointsMove ? FlagMotion : 0) | (hasPoints ? FlagPoints : 0)));
+  out.Put(
+    static_cast<std::uint8_t>((this->HasTime ? FlagTime : 0) | (this->PointsMove ? FlagMotion : 0) |
+      (hasPoints ? FlagPoints : 0) | (this->Coding == Profile::Fast ? FlagFast : 0)));
   out.Put(this->Keep);
   out.PutVarint(this->ChunkSize);
   out.PutVarint(this->KeyStepInterval);
@@ -66,10 +68,11 @@ MetaTable MetaTable::Read(std::span<const std::uint8_t> bytes)
   meta.CoordinateType = GetScalarType(in);
   Check(IsFloating(meta.CoordinateType), "the coordinates have an unknown type");
   meta.WideIds = in.Get<std::uint8_t>() != 0;
-  const auto time = in.Get<std::uint8_t>();
-  Check(time <= TimeFlags, "the meta data have unknown flags");
-  meta.HasTime = (time & FlagTime) != 0;
-  meta.PointsMove = (time & FlagMotion) != 0;
+  const auto flags = in.Get<std::uint8_t>();
+  Check(flags <= AllFlags, "the meta data have unknown flags");
+  meta.HasTime = (flags & FlagTime) != 0;
+  meta.PointsMove = (flags & FlagMotion) != 0;
+  meta.Coding = (flags & FlagFast) != 0 ? Profile::Fast : Profile::Small;
   Check(!meta.PointsMove || meta.HasTime, "points move in a file that has no time");
   meta.Keep = in.Get<std::uint8_t>();
   Check(meta.Keep <= KeepAll, "the kept order is unknown");
@@ -79,7 +82,7 @@ MetaTable MetaTable::Read(std::span<const std::uint8_t> bytes)
   {
     range = GetRange(in);
   }
-  if (time & FlagPoints)
+  if (flags & FlagPoints)
   {
     meta.PointArray = GetPoints(in);
   }

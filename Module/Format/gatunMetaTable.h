@@ -29,6 +29,7 @@ struct MetaTable
   bool HasTime = false;
   bool PointsMove = false;
   std::uint8_t Keep = KeepNone;
+  Profile Coding = Profile::Small; ///< for information: streams tell how they are coded
   std::uint32_t ChunkSize = 0;
   std::uint32_t KeyStepInterval = 1;
   Bounds Box;

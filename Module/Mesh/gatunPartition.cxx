@@ -42,16 +42,32 @@ LayerBuckets MakeOneBucket(const MeshAccess& mesh)
   return all;
 }
 
-/** The number of cells of about chunkTets tetrahedra, if all cells have tets tetrahedra. */
-std::uint32_t CountChunkCells(std::uint64_t cells, std::uint64_t tets, std::uint32_t chunkTets)
+/** The number of cells of about limit items, if all cells have so many items. */
+std::uint32_t CountChunkCells(std::uint64_t cells, std::uint64_t items, std::uint32_t limit)
 {
   const auto ratio = static_cast<double>(std::max<std::uint64_t>(cells, 1)) /
-    static_cast<double>(std::max<std::uint64_t>(tets, 1));
-  return static_cast<std::uint32_t>(std::max(1.0, static_cast<double>(chunkTets) * ratio));
+    static_cast<double>(std::max<std::uint64_t>(items, 1));
+  return static_cast<std::uint32_t>(std::max(1.0, static_cast<double>(limit) * ratio));
+}
+
+/** The same for cells of a mesh with so many tetrahedra. */
+std::uint32_t CountChunkCells(
+  const MeshAccess& mesh, std::uint64_t cells, std::uint64_t tets, const ChunkLimits& limits)
+{
+  const auto ofTets = CountChunkCells(cells, tets, limits.Size);
+  if (limits.Points == 0)
+  {
+    return ofTets;
+  }
+  // Chunks have more points a cell than the mesh, because they share points. If many points of the
+  // mesh are unused, there are more cells.
+  const auto& all = mesh.GetMesh();
+  const auto ofPoints = CountChunkCells(all.Cells, all.Points, limits.Points - limits.Points / 8);
+  return std::clamp(ofPoints, ofTets, limits.Size);
 }
 
 /** Finds the layers and their buckets. */
-LayerBuckets MakeBuckets(const MeshAccess& mesh, std::uint32_t chunkTets, LayerPartition& layers)
+LayerBuckets MakeBuckets(const MeshAccess& mesh, const ChunkLimits& limits, LayerPartition& layers)
 {
   const LayerValues values(layers.Array, layers.Request);
   layers.Result.Array = layers.Request.Array;
@@ -59,15 +75,15 @@ LayerBuckets MakeBuckets(const MeshAccess& mesh, std::uint32_t chunkTets, LayerP
   layers.Result.Spacing = layers.Request.Spacing;
   layers.Result.Bounds = FindLayerBounds(mesh, values, layers.Request.Spacing,
     layers.Request.Count > 0 ? layers.Request.Count : GetDefaultLayers(mesh.EstimateTets()));
-  const auto chunkCells = CountChunkCells(mesh.GetMesh().Cells, mesh.EstimateTets(), chunkTets);
+  const auto chunkCells = CountChunkCells(mesh, mesh.GetMesh().Cells, mesh.EstimateTets(), limits);
   return SortByLayers(mesh, values, layers.Result, chunkCells / SmallestPart);
 }
 
 /** The number of cells of a chunk of each bucket. */
 std::vector<std::uint32_t> FindChunkCells(
-  const MeshAccess& mesh, const LayerBuckets& buckets, std::uint32_t chunkTets)
+  const MeshAccess& mesh, const LayerBuckets& buckets, const ChunkLimits& limits)
 {
-  std::vector<std::uint32_t> counts(buckets.Start.size() - 1, chunkTets);
+  std::vector<std::uint32_t> counts(buckets.Start.size() - 1, limits.Size);
   if (!mesh.IsTetrahedral())
   {
     ParallelFor(counts.size(),
@@ -75,7 +91,7 @@ std::vector<std::uint32_t> FindChunkCells(
       {
         const std::span cells(
           buckets.Cells.data() + buckets.Start[b], buckets.Start[b + 1] - buckets.Start[b]);
-        counts[b] = CountChunkCells(cells.size(), mesh.EstimateTets(cells), chunkTets);
+        counts[b] = CountChunkCells(mesh, cells.size(), mesh.EstimateTets(cells), limits);
       });
   }
   return counts;
@@ -137,7 +153,8 @@ std::vector<Use> FindShared(const MeshAccess& mesh, Partition& out)
 {
   std::vector<std::atomic<Users>> users(static_cast<std::size_t>(mesh.GetMesh().Points));
   const auto others = FindUsers(mesh, out, users);
-  out.OwnPoints.resize(others.size());
+  out.OwnPoints.assign(others.size(), {});
+  out.UnusedPoints.clear();
   std::vector<Use> all;
   for (std::uint32_t p = 0; p < users.size(); ++p)
   {
@@ -165,6 +182,33 @@ std::vector<Use> FindShared(const MeshAccess& mesh, Partition& out)
   }
   std::sort(all.begin(), all.end());
   return all;
+}
+
+/** Divides chunks with too many points. Returns whether there were some. */
+bool DivideLarge(const MeshAccess& mesh, std::uint32_t most, const std::vector<Use>& uses,
+  const std::function<bool(double)>& progress, Partition& out)
+{
+  std::vector<std::uint64_t> points(out.GetChunkCount());
+  std::transform(out.OwnPoints.begin(), out.OwnPoints.end(), points.begin(),
+    [](const auto& own) { return own.size(); });
+  for (const auto& use : uses)
+  {
+    ++points[use.Chunk];
+  }
+  std::vector<std::uint32_t> partCells(points.size());
+  bool hasLarge = false;
+  for (std::size_t c = 0; c < points.size(); ++c)
+  {
+    const auto cells = static_cast<std::uint32_t>(out.ChunkStart[c + 1] - out.ChunkStart[c]);
+    const bool isLarge = points[c] > most && cells > 1;
+    hasLarge = hasLarge || isLarge;
+    partCells[c] = isLarge ? CountChunkCells(cells, points[c], most) : cells;
+  }
+  if (hasLarge)
+  {
+    out.ChunkStart = Bisect(mesh, out.Cells, out.ChunkStart, partCells, progress);
+  }
+  return hasLarge;
 }
 
 struct PlacedPoint
@@ -227,13 +271,13 @@ Bounds FindBox(const MeshAccess& mesh)
 }
 
 //------------------------------------------------------------------------------
-std::uint32_t GetDefaultChunkTets(std::uint64_t tets, bool hasLayers)
+std::uint32_t GetDefaultChunkSize(std::uint64_t number, bool hasLayers)
 {
   // Points between chunks are expensive, and small chunks keep more threads busy, with less memory
   // for each of them.
   constexpr std::uint64_t large = 1'000'000;
   constexpr std::uint64_t huge = 10'000'000;
-  const std::uint32_t most = tets > huge ? 262144 : tets > large ? 131072 : 65536;
+  const std::uint32_t most = number > huge ? 262144 : number > large ? 131072 : 65536;
   // An isosurface needs few chunks of a file with layers.
   return hasLayers ? most / 4 : most;
 }
@@ -246,16 +290,21 @@ std::uint64_t FindMortonCode(const MeshAccess& mesh, const Bounds& box, std::uin
 }
 
 //------------------------------------------------------------------------------
-Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkTets,
+Partition MakePartition(const MeshAccess& mesh, const ChunkLimits& limits,
   const std::function<bool(double)>& progress, LayerPartition* layers)
 {
   CheckCells(mesh);
   Partition result;
-  auto buckets = layers ? MakeBuckets(mesh, chunkTets, *layers) : MakeOneBucket(mesh);
+  auto buckets = layers ? MakeBuckets(mesh, limits, *layers) : MakeOneBucket(mesh);
   SeparateTets(mesh, buckets);
-  const auto chunkCells = FindChunkCells(mesh, buckets, chunkTets);
+  const auto chunkCells = FindChunkCells(mesh, buckets, limits);
   result.Cells = std::move(buckets.Cells);
   result.ChunkStart = Bisect(mesh, result.Cells, buckets.Start, chunkCells, progress);
+  auto uses = FindShared(mesh, result);
+  while (limits.Points > 0 && DivideLarge(mesh, limits.Points, uses, progress, result))
+  {
+    uses = FindShared(mesh, result);
+  }
   if (layers)
   {
     const LayerValues values(layers->Array, layers->Request);
@@ -268,7 +317,7 @@ Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkTets,
             .subspan(result.ChunkStart[c], result.ChunkStart[c + 1] - result.ChunkStart[c]));
       });
   }
-  GroupShared(mesh, FindShared(mesh, result), result);
+  GroupShared(mesh, uses, result);
   return result;
 }
 }

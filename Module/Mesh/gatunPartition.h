@@ -41,16 +41,23 @@ Bounds FindBox(const MeshAccess& mesh);
 /** The Morton code of a point within such bounds. */
 std::uint64_t FindMortonCode(const MeshAccess& mesh, const Bounds& box, std::uint64_t point);
 
-/** The default limit of tetrahedra per chunk, for a number of tetrahedra. */
-std::uint32_t GetDefaultChunkTets(std::uint64_t tets, bool hasLayers);
+/** What chunks may have at most. */
+struct ChunkLimits
+{
+  std::uint32_t Size; ///< tetrahedra, about, whatever the cells are; with a limit of points, cells
+  std::uint32_t Points = 0; ///< unless it is 0; cells with more of them are chunks of their own
+};
+
+/** The default limit of tetrahedra or cells per chunk, for a number of them. */
+std::uint32_t GetDefaultChunkSize(std::uint64_t number, bool hasLayers);
 
 /**
- * Halves the cells along the longest axis of the means of their points until no part has more than
- * about chunkTets tetrahedra, whatever the cells are. With layers, each bucket of layers is halved
- * separately, and so are tetrahedra and other cells where that pays. The result does not depend on
- * the number of threads. Throws Error(InvalidInput) as CheckCells does.
+ * Halves the cells along the longest axis of the means of their points until no part exceeds the
+ * limits. With layers, each bucket of layers is halved separately, and so are tetrahedra and other
+ * cells where that pays. The result does not depend on the number of threads. Throws
+ * Error(InvalidInput) as CheckCells does.
  */
-Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkTets,
+Partition MakePartition(const MeshAccess& mesh, const ChunkLimits& limits,
   const std::function<bool(double)>& progress, LayerPartition* layers = nullptr);
 }
 

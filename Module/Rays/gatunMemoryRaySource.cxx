@@ -94,7 +94,7 @@ public:
     : Mesh(mesh)
     , Values(values)
     , Hidden(hidden)
-    , Parts(MakePartition(this->Mesh, blockTets, progress))
+    , Parts(MakePartition(this->Mesh, { blockTets }, progress))
   {
   }
 

@@ -311,6 +311,11 @@ std::uint8_t FileReader::GetKeptOrder() const
   return this->Self->Meta.Keep;
 }
 
+Profile FileReader::GetProfile() const
+{
+  return this->Self->Meta.Coding;
+}
+
 const Bounds& FileReader::GetBounds() const
 {
   return this->Self->Meta.Box;

@@ -58,6 +58,7 @@ public:
   const PointsDescription& GetPointArray() const; ///< the name of the points and their keys
   bool HasWideIds() const;                        ///< MeshInput::WideIds
   std::uint8_t GetKeptOrder() const;              ///< flags of KeepOrder
+  Profile GetProfile() const;                     ///< WriterOptions::Coding
   const Bounds& GetBounds() const; ///< of the mesh: at the first time step if its points move
 
   /** Whether time steps have coordinates of their own (WriterOptions::PointsMove). */

@@ -13,6 +13,7 @@ gatun_core_folder(Values
     gatunDomainSurvey.h
     gatunExactValues.h
     gatunFastArrays.h
+    gatunFastSteps.h
     gatunGuess.h
     gatunNearestPicker.h
     gatunNeighborFit.h
@@ -32,6 +33,7 @@ gatun_core_folder(Values
   SOURCES
     gatunArrayCodec.cxx
     gatunArrayContext.cxx
+    gatunFastSteps.cxx
     gatunNeighborFit.cxx
     gatunPalette.cxx
     gatunPointContext.cxx

@@ -6,6 +6,7 @@
 #include "gatunBoundedValues.h"
 #include "gatunExactValues.h"
 #include "gatunFastArrays.h"
+#include "gatunFastSteps.h"
 #include "gatunGateValues.h"
 #include "gatunGuess.h"
 #include "gatunNeighborFit.h"
@@ -450,8 +451,7 @@ ArrayModes ArrayModes::Read(std::span<const std::uint8_t> stream)
 
 void CheckPointMode(SpatialMode mode, const Topology& mesh)
 {
-  const bool isOfWalk = mode != SpatialMode::Fast && mode != SpatialMode::Previous;
-  if (mesh.HasTree() ? isOfWalk : mode == SpatialMode::Fast)
+  if (mesh.HasTree() != (mode == SpatialMode::Fast))
   {
     ThrowCorrupt("an array's stream has a mode that its chunk cannot have");
   }
@@ -460,18 +460,17 @@ void CheckPointMode(SpatialMode mode, const Topology& mesh)
 Bytes EncodePointValues(const PointContext& context, std::span<const Domain> domains,
   std::span<ComponentKeys> components, const ModeChoice& choice)
 {
-  if (context.Mesh->HasTree() && !AreRounded(domains))
+  if (context.Mesh->HasTree())
   {
     const GateVertices vertices{ context.Mesh->Gates, context.Mesh->Sources };
     return EncodeFast(domains, components,
       [&](ByteWriter& out, const Domain& domain, const GateKeys& keys)
-      { PutVertexValues(out, domain, vertices, keys); });
+      {
+        const auto put = domain.GetQuantizer() ? PutVertexSteps : PutVertexValues;
+        put(out, domain, vertices, keys);
+      });
   }
-  std::vector<SpatialMode> modes{ SpatialMode::Previous };
-  if (!context.Mesh->HasTree())
-  {
-    modes.insert(modes.begin(), SpatialMode::Gate);
-  }
+  std::vector<SpatialMode> modes{ SpatialMode::Gate, SpatialMode::Previous };
   if (context.Fit)
   {
     modes.insert(modes.begin(), SpatialMode::Fit);
@@ -507,7 +506,10 @@ void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext&
     }
     DecodeFast(stream, modes.Temporal, domains, components,
       [&](ByteReader& in, const Domain& domain, const GateKeys& keys)
-      { GetVertexValues(in, domain, vertices, keys); });
+      {
+        const auto get = domain.GetQuantizer() ? GetVertexSteps : GetVertexValues;
+        get(in, domain, vertices, keys);
+      });
     return;
   }
   EntropyDecoder coder(stream.subspan(2));
@@ -517,11 +519,20 @@ void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext&
 Bytes EncodeCellValues(const CellContext& context, std::span<const Domain> domains,
   std::span<ComponentKeys> components, const ModeChoice& choice)
 {
-  if (context.Coding == Profile::Fast && !AreRounded(domains))
+  if (context.Coding == Profile::Fast)
   {
     return EncodeFast(domains, components,
       [&](ByteWriter& out, const Domain& domain, const GateKeys& keys)
-      { PutItemValues(out, domain, context.Parents, keys); });
+      {
+        if (domain.GetQuantizer())
+        {
+          PutItemSteps(out, domain, context.Parents, context.IsBlock(), keys);
+        }
+        else
+        {
+          PutItemValues(out, domain, context.Parents, keys);
+        }
+      });
   }
   std::vector<SpatialMode> modes{ SpatialMode::Previous };
   if (!context.IsBlock())
@@ -552,7 +563,16 @@ void DecodeCellValues(std::span<const std::uint8_t> stream, const CellContext& c
   {
     DecodeFast(stream, modes.Temporal, domains, components,
       [&](ByteReader& in, const Domain& domain, const GateKeys& keys)
-      { GetItemValues(in, domain, context.Parents, keys); });
+      {
+        if (domain.GetQuantizer())
+        {
+          GetItemSteps(in, domain, context.Parents, context.IsBlock(), keys);
+        }
+        else
+        {
+          GetItemValues(in, domain, context.Parents, keys);
+        }
+      });
     return;
   }
   EntropyDecoder coder(stream.subspan(2));

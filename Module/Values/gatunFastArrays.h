@@ -8,7 +8,6 @@
 
 #include "gatunBytes.h"
 #include "gatunDomain.h"
-#include "gatunError.h"
 #include "gatunGateLanes.h"
 #include "gatunGateValues.h"
 #include "gatunPointContext.h"
@@ -44,34 +43,45 @@ inline GateKeys GetGateKeys(ComponentKeys& keys, TemporalMode temporal)
   return { keys.Now, keys.Before, static_cast<BeforeUse>(temporal) };
 }
 
-/** Encodes in the fast mode. put(out, domain, keys) appends a component. */
+/** Encodes in the fast mode. put(out, domain, keys) appends a component, whose keys become those
+ * that readers will have. */
 template <typename Put>
 Bytes EncodeFast(std::span<const Domain> domains, std::span<ComponentKeys> components, Put&& put)
 {
+  // The values that readers will have depend on the mode if they are rounded.
+  const bool areRounded = AreRounded(domains);
   std::vector<TemporalMode> temporal{ TemporalMode::None };
   if (HaveBefore(components))
   {
     temporal.insert(temporal.end(), { TemporalMode::Change, TemporalMode::Repeat });
   }
   Bytes best;
+  std::vector<ComponentKeys> trial, rounded;
   for (const auto mode : temporal)
   {
+    if (areRounded)
+    {
+      trial.assign(components.begin(), components.end());
+    }
+    const auto tried = areRounded ? std::span<ComponentKeys>(trial) : components;
     ByteWriter out;
     out.Put(static_cast<std::uint8_t>(SpatialMode::Fast));
     out.Put(static_cast<std::uint8_t>(mode));
-    for (std::size_t c = 0; c < components.size(); ++c)
+    for (std::size_t c = 0; c < tried.size(); ++c)
     {
-      put(out, domains[c], GetGateKeys(components[c], mode));
+      put(out, domains[c], GetGateKeys(tried[c], mode));
     }
     if (best.empty() || out.Data.size() < best.size())
     {
       best = std::move(out.Data);
+      rounded.swap(trial);
     }
   }
+  std::move(rounded.begin(), rounded.end(), components.begin());
   return best;
 }
 
-/** Whether GetVertexLanes takes values of these domains. DecodeFast rejects those with bounds. */
+/** Whether GetVertexLanes takes values of these domains. */
 inline bool HaveLanes(std::span<const Domain> domains)
 {
   return !AreRounded(domains) &&
@@ -102,10 +112,6 @@ template <typename Get>
 void DecodeFast(std::span<const std::uint8_t> stream, TemporalMode temporal,
   std::span<const Domain> domains, std::span<ComponentKeys> components, Get&& get)
 {
-  if (AreRounded(domains))
-  {
-    ThrowCorrupt("an array's stream has a mode that has no bounds of errors");
-  }
   ByteReader in(stream.subspan(2));
   for (std::size_t c = 0; c < components.size(); ++c)
   {

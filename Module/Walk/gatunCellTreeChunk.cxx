@@ -80,7 +80,7 @@ EncodedCells EncodeCellTreeChunk(const ChunkFrame& frame, const CellList& cells,
   const PlaceMap map(frame);
   std::transform(ownKeys.begin(), ownKeys.end(),
     std::transform(shared.begin(), shared.end(), places.begin(), map), map);
-  auto tree = EncodeCellTree(cells, static_cast<std::uint32_t>(shared.size()), places);
+  auto tree = EncodeCellTree(cells, static_cast<std::uint32_t>(shared.size()), places, keepCorners);
 
   EncodedCells result;
   result.Connectivity = std::move(tree.Stream);

@@ -19,7 +19,7 @@ namespace gatun
 /**
  * Encodes a chunk. Shared vertices come first, in the order of the frame, then own vertices with
  * ownKeys. Every vertex must be used. The bytes depend only on the input. The fast profile is for
- * up to TetTree::MaxVertices vertices; more have the small one.
+ * up to MaxFastVertices vertices; more have the small one.
  */
 EncodedChunk EncodeChunk(const ChunkFrame& frame,
   std::span<const std::array<std::uint32_t, 4>> tets, std::span<const PointKeys> ownKeys,

@@ -8,6 +8,7 @@
 #include "gatunCellList.h"
 #include "gatunCellRules.h"
 #include "gatunGeometry.h"
+#include "gatunTetTree.h"
 #include "gatunTopology.h"
 #include "gatunTypes.h"
 
@@ -20,6 +21,9 @@ namespace gatun
 {
 /** The maximum number of tetrahedra in a chunk. All numbers in a chunk fit 32 bits. */
 constexpr std::uint32_t MaxChunkTets = 1u << 20;
+
+/** The maximum number of vertices of a chunk that has the fast profile. */
+constexpr std::uint32_t MaxFastVertices = TetTree::MaxVertices;
 
 /** The sizes of a chunk of cells that are not all tetrahedra. */
 struct CellCounts

@@ -362,6 +362,7 @@ FileWriter::FileWriter(Append, const std::string& path)
   }
   WriterOptions options;
   options.Keep = file.GetKeptOrder();
+  options.Coding = file.GetProfile();
   options.ChunkSize = InternalsOf(file).Meta.ChunkSize;
   options.KeyStepInterval = InternalsOf(file).Meta.KeyStepInterval;
   options.IsSurface = file.IsSurface();

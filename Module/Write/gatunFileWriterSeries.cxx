@@ -61,6 +61,7 @@ WriterOptions FileWriter::Internals::FitOptions(WriterOptions options) const
   if (this->IsAppending)
   {
     options.Keep = this->State.Options.Keep;
+    options.Coding = this->State.Options.Coding;
     options.ChunkSize = this->State.Options.ChunkSize;
     options.KeyStepInterval = this->State.Options.KeyStepInterval;
   }

@@ -38,7 +38,7 @@ void MeshSection::MakeLayout(WriterPart& part, const std::function<bool(double)>
     this->Layers->Request = *this->State.Options.Layers;
     this->Layers->Array = this->State.Meta.Arrays[this->Layers->Request.Array];
   }
-  part.Layout = MakePartition(part.Mesh, this->State.GetChunkSize(part.Mesh), progress,
+  part.Layout = MakePartition(part.Mesh, this->State.GetChunkLimits(part.Mesh), progress,
     this->Layers ? &*this->Layers : nullptr);
 }
 

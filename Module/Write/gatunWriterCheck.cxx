@@ -88,8 +88,8 @@ void CheckWriterInput(
   }
   if (options.ChunkSize != 0 && (options.ChunkSize < 64 || options.ChunkSize > MaxChunkTets))
   {
-    ThrowInvalid("a chunk must have from 64 to " + std::to_string(MaxChunkTets) +
-      " tetrahedra, not " + std::to_string(options.ChunkSize));
+    ThrowInvalid("a chunk must have from 64 to " + std::to_string(MaxChunkTets) + " cells, not " +
+      std::to_string(options.ChunkSize));
   }
   if (options.KeyStepInterval < 1)
   {

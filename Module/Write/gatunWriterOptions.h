@@ -20,9 +20,9 @@ struct WriterOptions
 {
   std::uint8_t Keep = KeepNone; ///< the parts of the original order to keep, flags of KeepOrder
 
-  /** The maximum number of tetrahedra in a chunk, 64 to 1048576. 0 is 65536, or 131072 for meshes
-   * of more than one million tetrahedra and 262144 for more than 10 million; with layers, a quarter
-   * of that. */
+  /** The maximum number of cells in a chunk, 64 to 1048576; in the small profile, cells count as
+   * the tetrahedra that they can be split into. 0 is 65536, or 131072 for meshes of more than one
+   * million and 262144 for more than 10 million; with layers, a quarter of that. */
   std::uint32_t ChunkSize = 0;
 
   /** The expected number of parts of the mesh, of about the same size. Without ChunkSize, it
@@ -64,7 +64,7 @@ struct WriterOptions
   std::vector<ArrayError> Errors;
 
   /** What the file is optimized for. */
-  Profile Coding = Profile::Small;
+  Profile Coding = Profile::Fast;
 
   /** The layers to organize the file and its base meshes by, if any. */
   std::optional<LayerRequest> Layers;

@@ -3,9 +3,9 @@
 
 #include "gatunWriterState.h"
 
+#include "gatunChunkMesh.h"
 #include "gatunPageSection.h"
 #include "gatunParallel.h"
-#include "gatunPartition.h"
 #include "gatunSurfaceTable.h"
 #include "gatunVersion.h"
 
@@ -54,6 +54,7 @@ void WriterState::DescribeArrays(const std::vector<ArrayDescription>& arrays)
   this->Meta.WriterVersion = PackageVersion();
   this->Meta.WideIds = false;
   this->Meta.Keep = this->Options.Keep;
+  this->Meta.Coding = this->Options.Coding;
   this->Meta.KeyStepInterval = this->Options.KeyStepInterval;
   this->Meta.PointsMove = this->Options.PointsMove;
   this->Meta.Arrays = arrays;
@@ -75,18 +76,23 @@ void WriterState::Describe(const MeshAccess& part)
   this->Meta.CoordinateType = mesh.CoordinateType;
   this->Meta.WideIds = this->Meta.WideIds || mesh.WideIds;
   this->Meta.Points += mesh.Points;
-  this->Meta.ChunkSize = std::max(this->Meta.ChunkSize, this->GetChunkSize(part));
+  this->Meta.ChunkSize = std::max(this->Meta.ChunkSize, this->GetChunkLimits(part).Size);
   this->HasCells = this->HasCells || !part.IsTetrahedral();
   this->NumberOfCells += mesh.Cells;
 }
 
 //------------------------------------------------------------------------------
-std::uint32_t WriterState::GetChunkSize(const MeshAccess& part) const
+ChunkLimits WriterState::GetChunkLimits(const MeshAccess& part) const
 {
-  return this->Options.ChunkSize != 0
-    ? this->Options.ChunkSize
-    : GetDefaultChunkTets(part.EstimateTets() * std::uint64_t{ this->Options.Parts },
-        this->Options.Layers.has_value());
+  const bool isFast = this->Options.Coding == Profile::Fast;
+  ChunkLimits limits{ this->Options.ChunkSize, isFast ? MaxFastVertices : 0 };
+  if (limits.Size == 0)
+  {
+    const auto number = isFast ? part.GetMesh().Cells : part.EstimateTets();
+    limits.Size = GetDefaultChunkSize(
+      number * std::uint64_t{ this->Options.Parts }, this->Options.Layers.has_value());
+  }
+  return limits;
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 #include "gatunMeshTable.h"
 #include "gatunMetaTable.h"
 #include "gatunOutputFile.h"
+#include "gatunPartition.h"
 #include "gatunSharedGroups.h"
 #include "gatunStepPages.h"
 #include "gatunWriterOptions.h"
@@ -96,8 +97,8 @@ public:
    * coordinates than the parts before. */
   void Describe(const MeshAccess& part);
 
-  /** The maximum number of tetrahedra in the chunks of a part. */
-  std::uint32_t GetChunkSize(const MeshAccess& part) const;
+  /** The limits of the chunks of a part. */
+  ChunkLimits GetChunkLimits(const MeshAccess& part) const;
 
   /** Makes the blocks of shared points when the groups of all parts are known. */
   void LinkGroups();

@@ -14,6 +14,7 @@ namespace gtn
 {
 using gatun::NameOfCellType;
 using gatun::NameOfKeptOrder;
+using gatun::NameOfProfile;
 using gatun::NameOfType;
 
 /** "1,200 tetrahedra", or "1,200 cells (1,000 vtkHexahedron, 200 vtkWedge)". */

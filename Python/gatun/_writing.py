@@ -287,7 +287,7 @@ def write(
     overwrite: bool = False,
     arrays: Names | None = None,
     tolerances: str | Mapping[str, str] | None = None,
-    profile: str = "small",
+    profile: str = "fast",
     point_tolerance: float | str | None = None,
     keep_order: bool | Names = "none",
     hierarchy: bool = False,
@@ -325,8 +325,8 @@ def write(
             to ``"abs:E"``, ``"rel:E"``, ``"pw:E"`` or ``"bits:N"``, with ``",zeros"`` at the end if
             values of 0 have to stay; or one of these texts for all arrays. See
             ``vtkGatunWriter.SetArrayTolerance``.
-        profile: ``"small"`` optimizes the file for size, ``"fast"`` for reading speed; tetrahedra
-            take up to twice the space then.
+        profile: ``"fast"`` optimizes the file for reading speed, ``"small"`` for size: down to half
+            the space, and read several times slower.
         point_tolerance: how much coordinates may change: a number in their units, or ``"abs:E"``,
             ``"rel:E"`` (of the longest side of the bounds) or ``"bits:N"``.
         keep_order: the original order that the file keeps: ``"none"``, ``"points"``, ``"cells"``,
@@ -344,7 +344,7 @@ def write(
             one gets it, with NaN, or 0 if it is of integers.
         times: for a series, the times of its meshes, ascending (default: 0, 1, 2, ...); for an
             algorithm that has time steps, True to write all of them.
-        chunk_size: largest number of tetrahedra in a chunk, 64 to 1048576, or 0 (automatic).
+        chunk_size: largest number of cells in a chunk, 64 to 1048576, or 0 (automatic).
         key_step_interval: number of time steps from one that needs no other step to the next.
         quality, rms_error, psnr, bits_per_voxel: for volumes, one of these: quality from 1 to 100
             (default: 60), largest root mean square error (0: lossless), least peak signal-to-noise

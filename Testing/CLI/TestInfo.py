@@ -4,6 +4,7 @@
 """info --json is JSON and agrees with the mesh; the text says the same."""
 
 import json
+import os
 import re
 
 from vtkmodules.vtkIOLegacy import vtkUnstructuredGridWriter
@@ -44,8 +45,17 @@ assert abs(sizes["file"]["bitsPerCell"] - 8 * sizes["file"]["bytes"] / info["tet
 assert "chunkTable" not in json.loads(gtn("info", "--json", "mesh.gtn"))
 
 text = gtn("info", "-v", "mesh.gtn")
-for words in ("tetrahedra       1,296", "kept order       cells", "\narrays\n", "\nchunks\n"):
+for words in ("tetrahedra       1,296", "kept order       cells", "profile          fast", "\narrays\n", "\nchunks\n"):
     assert words in text, words
+
+# What the file would take in the other profile. These are one piece.
+for profile in "fast", "small":
+    gtn("pack", "-q", "--profile", profile, "mesh.vtu", profile + ".gtn")
+for name, other in ("fast.gtn", "small.gtn"), ("small.gtn", "fast.gtn"):
+    info = json.loads(gtn("info", "-v", "--json", name))
+    size = os.path.getsize(other)
+    assert abs(info["otherProfileBytes"] - size) < 0.05 * size, (name, info["otherProfileBytes"], size)
+assert json.loads(gtn("info", "--json", "small.gtn"))["profile"] == "small"
 assert re.search(r"\n  velocity +point  float64 +3 ", text), text
 
 # Names with bytes that are no UTF-8, quotes and control characters: JSON all the same, in ASCII.

@@ -159,6 +159,7 @@ void Write(const std::string& folder, const std::string& name, const TreeSample&
   std::uint8_t keep = KeepAll)
 {
   WriterOptions options;
+  options.Coding = Profile::Small;
   options.ChunkSize = chunkTets;
   options.Keep = keep;
   options.Dependencies = true;

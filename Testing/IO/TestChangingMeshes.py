@@ -209,10 +209,9 @@ for index in range(len(TIMES)):
 
 # What is damaged is an error at its steps, and only there.
 content = bytearray(open(path, "rb").read())
-place = content.rfind(b"GRID") - 200  # in the last mesh; the last name is in the directory
 assert content.count(b"GRID") == 2
-begin = content.find(b"GRID")
-content[begin + 24 + 5000] ^= 4
+begin = content.find(b"GRID")  # the last mesh; the last name is in the directory
+content[begin + 24 + 1000] ^= 4
 open(path, "wb").write(content)
 reader = open_reader(path)
 errors = gm.Errors(reader)

@@ -115,7 +115,7 @@ shared = 0
 for name, make in {**MESHES, **SHELLS}.items():
     grid = make(np.random.default_rng(6))
     for options in ({"ChunkSize": 0}, {"ChunkSize": 100, "KeepOrder": 7}):
-        decoder = check(name, grid, **options)
+        decoder = check(name, grid, Profile=0, **options)
         modes.update(chunk.geometry.mode for chunk in decoder.chunks if not chunk.is_walk)
         shared += sum(len(chunk.shared_points) for chunk in decoder.chunks)
         decoder = check(name, grid, Profile=1, **options)
@@ -123,11 +123,11 @@ for name, make in {**MESHES, **SHELLS}.items():
 assert modes == {0, 1, 2} and shared > 1000
 for seed, *arguments in AMONG_MANY:
     grid = meshes.holes_among_many(np.random.default_rng(seed), *arguments)
-    check("holes %d" % seed, grid)
+    check("holes %d" % seed, grid, Profile=0)
 
 # A file with chunks of both kinds: tetrahedra are in chunks of their own where nothing else is.
 grid = meshes.two_blocks(np.random.default_rng(1))
-decoder = check("two blocks", grid, ChunkSize=64, KeepOrder=7)
+decoder = check("two blocks", grid, ChunkSize=64, KeepOrder=7, Profile=0)
 assert {chunk.is_walk for chunk in decoder.chunks} == {True, False}
 
 # Steps with changes that are predicted from the step before.

@@ -73,7 +73,7 @@ def write(path, times, profile, **options):
     return os.path.getsize(path)
 
 
-assert vtkGatunWriter().GetProfile() == vtkGatunWriter.PROFILE_SMALL
+assert vtkGatunWriter().GetProfile() == vtkGatunWriter.PROFILE_FAST
 path = gm.temporary("fast.gtn")
 for times, options in (
         ([0.0], {"ChunkSize": 2000, "KeepOrder": 7}),

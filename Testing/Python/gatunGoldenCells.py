@@ -94,13 +94,13 @@ def fast_cells(rng):
         meshes.transition(rng, (3, 2, 2)), meshes.holes(rng, (3, 3, 3)), meshes.torn(rng, (2, 2, 2)),
         meshes.polygons_in_layers(rng, 2, 2, most=9), meshes.hanging(rng, (3, 2, 2)),
         meshes.nonlinear(rng, c.VTK_QUADRATIC_HEXAHEDRON, (2, 2, 2)), meshes.degenerate(rng),
-        shells.polygons(rng, 4)]), {**ALL_KEPT, "ChunkSize": 200, "Profile": 1}
+        shells.polygons(rng, 4)]), {**ALL_KEPT, "ChunkSize": 64, "Profile": 1}
 
 
 def fast_cells_in_any_order(rng):
     """Cells of all types that have nothing to do with each other, in the fast profile."""
     grid, options = cells_in_any_order(rng)
-    return grid, {**options, "Profile": 1}
+    return grid, {**options, "ChunkSize": 64, "Profile": 1}
 
 
 def fast_hexahedra(rng):

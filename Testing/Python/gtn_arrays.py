@@ -112,7 +112,6 @@ def decode_list(stream, domains, count, before=None, parents=None, lists=None):
     modes += (*QUADRATICS,) if lists else ()
     stream = ArrayStream(stream, modes, before is not None)
     if stream.spatial == FAST:
-        require(all(domain.bound is None for domain in domains), "bounds of errors")
         return [
             decode_items(stream.stream, domain, count, parents, before and before[c], stream.temporal)
             for c, domain in enumerate(domains)]
@@ -230,13 +229,12 @@ class ChunkMesh:
         before: what this gave at the step before, if the array has a before."""
         walk = self.walk
         require(stream is not None, "no stream for values")
-        modes = (PREVIOUS, FAST) if self.is_tree else (PREVIOUS, GATE, FIT, *QUADRATICS)
+        modes = (FAST,) if self.is_tree else (PREVIOUS, GATE, FIT, *QUADRATICS)
         stream = ArrayStream(stream, modes, before is not None)
         result = []
         for c, domain in enumerate(domains):
             now = [None if index is None else shared_now[c][index] for index in walk.shared]
             if stream.spatial == FAST:
-                require(domain.bound is None, "bounds of errors")
                 decode_vertices(
                     stream.stream, domain, walk, now, before and before[c], stream.temporal)
                 result.append(now)

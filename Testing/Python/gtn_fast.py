@@ -9,6 +9,7 @@ Part of gtn_decoder, which is written from that text alone.
 import numpy as np
 import zstandard
 
+from gtn_bounds import BoundedValues
 from gtn_bytes import Bytes, FormatError, require
 from gtn_coding import FLOAT32
 
@@ -159,10 +160,37 @@ def type_of(domain):
     return np.float32 if domain.kind == FLOAT32 and is_plain else np.float64
 
 
+class Steps:
+    """The keys of a component with a bound of errors (10.12)."""
+
+    def __init__(self, stream, count, domain, snap):
+        self.steps = Numbers(stream, count, 48)
+        self.special = Numbers(stream, self.steps.lengths.count(0), domain.bits)
+        self.values = BoundedValues(None, domain, snap)
+        self.last = 0
+
+    def key(self, predicted):
+        number = self.steps.take()
+        if number == 0:
+            self.last ^= self.special.take()
+            return self.last
+        return self.values.key(predicted, signed(number - 1))
+
+
+def has_steps(stream, domain):
+    """Whether a component has steps in place of residuals (10.12)."""
+    if domain.bound is None:
+        return False
+    is_exact = stream.number("B")
+    require(is_exact <= 1, "flags of values")
+    return is_exact == 0
+
+
 def decode_vertices(stream, domain, tree, now, before=None, temporal=NONE):
     """Sets the keys of own vertices, which are None in `now` (10.12)."""
+    is_rounded = has_steps(stream, domain)
     copies = stream.number("B")
-    require(copies <= 1, "flags of values")
+    require(copies <= (0 if is_rounded else 1), "flags of values")
     weights = [stream.number("h") for _ in range(3)]
     weights.append(256 - sum(weights))
     require(-32768 <= weights[3] < 32768, "weights")
@@ -170,7 +198,10 @@ def decode_vertices(stream, domain, tree, now, before=None, temporal=NONE):
     weights = [real(w) * real(1 / 256) for w in weights]
     longest = domain.bits + 4 * copies
     own = [v for v, key in enumerate(now) if key is None]
-    residuals = Numbers(stream, len(own), domain.bits, longest)
+    if is_rounded:
+        steps = Steps(stream, len(own), domain, False)
+    else:
+        residuals = Numbers(stream, len(own), domain.bits, longest)
     if own and own[0] == 0:
         now[0] = domain.from_number(0.0) if copies == 0 else 0
 
@@ -181,7 +212,7 @@ def decode_vertices(stream, domain, tree, now, before=None, temporal=NONE):
     with np.errstate(all="ignore"):
         for v in own:
             gate = tree.gates[v]
-            n = residuals.lengths.pop()
+            n = 0 if is_rounded else residuals.lengths.pop()
             if n > domain.bits:
                 now[v] = domain.add(now[gate[n - domain.bits - 1]], 0)
                 continue
@@ -192,12 +223,16 @@ def decode_vertices(stream, domain, tree, now, before=None, temporal=NONE):
                 if temporal == CHANGE:
                     number = real(domain.to_number(before[v])) + (number - predict(before, gate))
                 p = domain.from_number(float(number))
-            now[v] = domain.add(p, signed(residuals.number(n)))
+            now[v] = steps.key(p) if is_rounded else domain.add(p, signed(residuals.number(n)))
 
 
 def decode_items(stream, domain, count, parents=None, before=None, temporal=NONE):
     """Keys on a block, or with parents on cells (10.12)."""
-    residuals = Numbers(stream, count, domain.bits)
+    is_rounded = has_steps(stream, domain)
+    if is_rounded:
+        steps = Steps(stream, count, domain, parents is None)
+    else:
+        residuals = Numbers(stream, count, domain.bits)
     real = type_of(domain)
     now = []
 
@@ -216,5 +251,5 @@ def decode_items(stream, domain, count, parents=None, before=None, temporal=NONE
                 p = domain.from_number(float(number(before[i]) + change))
             else:
                 p = now[start]
-            now.append(domain.add(p, signed(residuals.take())))
+            now.append(steps.key(p) if is_rounded else domain.add(p, signed(residuals.take())))
     return now

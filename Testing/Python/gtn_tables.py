@@ -58,7 +58,7 @@ def read_meta(table):
     meta.coordinate_type = table.number("B")
     meta.wide_ids = table.number("B")
     flags = table.number("B")
-    require(flags <= 7, "flags of META")
+    require(flags <= 15, "flags of META")
     meta.has_time = flags & 1 != 0
     meta.points_move = flags & 2 != 0
     require(not meta.points_move or meta.has_time, "motion without time")

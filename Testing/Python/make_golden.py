@@ -61,6 +61,7 @@ def write(path, inputs, times, errors, options):
     else:
         writer.SetInputDataObject(inputs[0])
     writer.SetFileName(path)
+    writer.SetProfileToSmall()  # unless the options say fast
     set_options(writer, **options)
     for error in errors:
         set_tolerance(writer, error)
@@ -104,7 +105,7 @@ def check_errors(grids, backs, errors):
     for error in errors:
         name, _, bound = error.rpartition("=")
         kind, _, number = bound.partition(":")
-        bounds[name] = kind, float(number)
+        bounds[name] = kind, float(number.partition(",")[0])
     for grid, back in zip(grids, backs):
         for part in "GetPointData", "GetCellData":
             for array in gm.arrays_of(getattr(grid, part)()):

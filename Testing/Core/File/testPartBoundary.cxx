@@ -39,7 +39,7 @@ void ExpectBoundary(const MeshInput& input, const std::function<bool(std::size_t
   const MeshAccess mesh(input);
   for (const std::uint32_t chunkCells : { 7u, 50u, 100000u })
   {
-    const auto marks = FindPartBoundary(mesh, MakePartition(mesh, chunkCells, {}));
+    const auto marks = FindPartBoundary(mesh, MakePartition(mesh, { chunkCells }, {}));
     ASSERT_EQ(marks.size(), input.Points);
     for (std::size_t p = 0; p < marks.size(); ++p)
     {

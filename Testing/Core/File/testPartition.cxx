@@ -131,7 +131,7 @@ TEST(Partition, FindsOwnSharedAndUnusedPoints)
   for (auto mesh : { MakeCubes(10, 0.3), MakeSoup(3000, 2000) })
   {
     mesh.Coordinates.resize(mesh.Coordinates.size() + 30, 0.5); // unused
-    const auto parts = MakePartition(MeshAccess(mesh.GetInput()), 100, {});
+    const auto parts = MakePartition(MeshAccess(mesh.GetInput()), { 100 }, {});
     std::vector<std::set<std::uint32_t>> users(mesh.GetPoints());
     for (std::uint32_t c = 0; c < parts.GetChunkCount(); ++c)
     {
@@ -250,7 +250,7 @@ std::size_t CountMixedChunks(std::int64_t faces, std::int64_t step)
   input.Connectivity = mesh.Ids.data();
   input.Types = types.data();
   input.Offsets = offsets.data();
-  const auto parts = MakePartition(MeshAccess(input), 5000, {});
+  const auto parts = MakePartition(MeshAccess(input), { 5000 }, {});
   std::set<std::uint32_t> seen;
   std::size_t mixed = 0;
   for (std::size_t c = 0; c < parts.GetChunkCount(); ++c)
@@ -271,15 +271,56 @@ std::size_t CountMixedChunks(std::int64_t faces, std::int64_t step)
 }
 }
 
+TEST(Partition, LimitsThePointsOfChunks)
+{
+  constexpr std::uint32_t most = 300;
+  for (auto mesh : { MakeCubes(10, 0.3), MakeSoup(3000, 2000) })
+  {
+    // Polygons, which have one or two tetrahedra's points; the last one has too many.
+    std::vector<std::int64_t> offsets{ 0 };
+    while (offsets.back() + 500 < static_cast<std::int64_t>(mesh.Ids.size()))
+    {
+      offsets.push_back(offsets.back() + (offsets.size() % 3 == 0 ? 8 : 4));
+    }
+    offsets.push_back(static_cast<std::int64_t>(mesh.Ids.size()));
+    const std::vector<std::uint8_t> types(offsets.size() - 1, 7);
+    auto input = mesh.GetInput();
+    input.Cells = types.size();
+    input.Types = types.data();
+    input.Offsets = offsets.data();
+    for (const std::uint32_t cells : { 70u, 1000000u })
+    {
+      const auto parts = MakePartition(MeshAccess(input), { cells, most }, {});
+      std::vector<char> isThere(types.size(), 0);
+      for (std::size_t c = 0; c < parts.GetChunkCount(); ++c)
+      {
+        std::set<std::int64_t> points;
+        for (auto i = parts.ChunkStart[c]; i < parts.ChunkStart[c + 1]; ++i)
+        {
+          EXPECT_EQ(isThere[parts.Cells[i]]++, 0);
+          const auto cell = offsets.begin() + parts.Cells[i];
+          points.insert(mesh.Ids.begin() + cell[0], mesh.Ids.begin() + cell[1]);
+        }
+        const auto size = parts.ChunkStart[c + 1] - parts.ChunkStart[c];
+        EXPECT_LE(size, cells);
+        EXPECT_TRUE(points.size() <= most || size == 1) << points.size();
+      }
+      EXPECT_EQ(
+        std::count(isThere.begin(), isThere.end(), 1), static_cast<std::ptrdiff_t>(types.size()));
+      EXPECT_LT(parts.GetChunkCount(), types.size() / 8);
+    }
+  }
+}
+
 TEST(Partition, ChunksAreLargerInLargerMeshes)
 {
-  EXPECT_EQ(GetDefaultChunkTets(0, false), 65536u);
-  EXPECT_EQ(GetDefaultChunkTets(1'000'000, false), 65536u);
-  EXPECT_EQ(GetDefaultChunkTets(1'000'001, false), 131072u);
-  EXPECT_EQ(GetDefaultChunkTets(10'000'000, false), 131072u);
-  EXPECT_EQ(GetDefaultChunkTets(10'000'001, false), 262144u);
-  EXPECT_EQ(GetDefaultChunkTets(1'000'000, true), 16384u);
-  EXPECT_EQ(GetDefaultChunkTets(10'000'001, true), 65536u);
+  EXPECT_EQ(GetDefaultChunkSize(0, false), 65536u);
+  EXPECT_EQ(GetDefaultChunkSize(1'000'000, false), 65536u);
+  EXPECT_EQ(GetDefaultChunkSize(1'000'001, false), 131072u);
+  EXPECT_EQ(GetDefaultChunkSize(10'000'000, false), 131072u);
+  EXPECT_EQ(GetDefaultChunkSize(10'000'001, false), 262144u);
+  EXPECT_EQ(GetDefaultChunkSize(1'000'000, true), 16384u);
+  EXPECT_EQ(GetDefaultChunkSize(10'000'001, true), 65536u);
 }
 
 TEST(Partition, SeparatesTetrahedraWhereTheyShareFewPointsWithOtherCells)

@@ -34,12 +34,12 @@ namespace
 using namespace gatun;
 using namespace gatun::test;
 
-/** Where values are: on the points of a chunk, its cells, or a block; with all modes of prediction
- * and without the mode quadratic. */
+/** Where values are: on the points of a chunk, its cells, or a block; each without and with the
+ * quadratic modes, and in the mode fast. */
 class Contexts
 {
 public:
-  static constexpr unsigned Count = 6;
+  static constexpr unsigned Count = 9;
 
   Contexts()
   {
@@ -61,28 +61,30 @@ public:
       keys[i / 3][i % 3] = domain.FromNumber(mesh.Coordinates[i]);
     }
     this->Chunk = EncodeChunk(frame, tets, keys).Mesh;
+    this->FastChunk = EncodeChunk(frame, tets, keys, Profile::Fast).Mesh;
     this->Points.emplace(this->Chunk, ContextFits::All);
     this->CellFit.emplace(FitCells(this->Chunk));
     this->BlockFit.emplace(this->Chunk.GetPlaces());
     this->Plain = this->Points->GetPoints();
     this->Plain.Quadratic = nullptr;
+    this->Fast.Mesh = &this->FastChunk.Walk;
   }
 
-  bool IsBlock(unsigned which) const { return which >= 4; }
+  bool IsBlock(unsigned which) const { return which >= 6; }
   std::size_t GetSize(unsigned which) const
   {
-    return which / 2 == 1 ? this->Chunk.Walk.Parents.size() : this->Chunk.Keys.size();
+    return which / 3 == 1 ? this->Chunk.Walk.Parents.size() : this->Chunk.Keys.size();
   }
 
   Bytes Encode(unsigned which, const Domain& domain, ComponentKeys& keys) const
   {
-    return which < 2 ? EncodePointValues(this->GetPoints(which), { &domain, 1 }, { &keys, 1 })
+    return which < 3 ? EncodePointValues(this->GetPoints(which), { &domain, 1 }, { &keys, 1 })
                      : EncodeCellValues(this->GetCells(which), { &domain, 1 }, { &keys, 1 });
   }
 
   void Decode(unsigned which, const Bytes& stream, const Domain& domain, ComponentKeys& keys) const
   {
-    if (which < 2)
+    if (which < 3)
     {
       DecodePointValues(stream, this->GetPoints(which), { &domain, 1 }, { &keys, 1 });
     }
@@ -95,23 +97,27 @@ public:
 private:
   const PointContext& GetPoints(unsigned which) const
   {
-    return which % 2 ? this->Points->GetPoints() : this->Plain;
+    return which % 3 == 0 ? this->Plain : which % 3 == 1 ? this->Points->GetPoints() : this->Fast;
   }
   CellContext GetCells(unsigned which) const
   {
     CellContext context;
     if (!this->IsBlock(which))
     {
-      context.Parents = this->Chunk.Walk.Parents;
+      const auto& chunk = which % 3 == 2 ? this->FastChunk : this->Chunk;
+      context.Parents = chunk.Walk.Parents;
     }
     const auto& fit = this->IsBlock(which) ? this->BlockFit : this->CellFit;
-    context.Quadratic = which % 2 ? &*fit : nullptr;
+    context.Quadratic = which % 3 == 1 ? &*fit : nullptr;
+    context.Coding = which % 3 == 2 ? Profile::Fast : Profile::Small;
     return context;
   }
 
   ChunkMesh Chunk;
+  ChunkMesh FastChunk;
   std::optional<ArrayContext> Points;
   PointContext Plain;
+  PointContext Fast;
   std::optional<QuadraticFit> CellFit;
   std::optional<QuadraticFit> BlockFit;
 };

@@ -307,29 +307,6 @@ TEST(QuadraticStreams, ModesThatAreNotAllowedAreRejected)
   EXPECT_THROW(DecodePointValues(stream, mesh.Context.GetPoints(), { &domain, 1 }, keys), Error);
 }
 
-TEST(FastStreams, HaveNoBoundsOfErrors)
-{
-  Topology mesh;
-  mesh.Gates = { 0, 0 };
-  mesh.Sources = { 0, 1 };
-  PointContext context;
-  context.Mesh = &mesh;
-  for (const auto type : { ScalarType::Float32, ScalarType::Float64 })
-  {
-    const Domain exact(type);
-    const Domain bounded(type, MakeQuantizer(type, { ErrorKind::Absolute, 0.1 }, FiniteRange{}));
-    std::vector<ComponentKeys> keys(1);
-    keys[0].Now = { exact.FromNumber(1), exact.FromNumber(2) };
-    const auto stream = EncodePointValues(context, { &exact, 1 }, keys);
-    ASSERT_EQ(stream[0], static_cast<std::uint8_t>(SpatialMode::Fast));
-    const auto right = keys[0].Now;
-    keys[0].Now.assign(2, 0);
-    DecodePointValues(stream, context, { &exact, 1 }, keys);
-    EXPECT_EQ(keys[0].Now, right);
-    EXPECT_THROW(DecodePointValues(stream, context, { &bounded, 1 }, keys), Error);
-  }
-}
-
 /** Decodes the residuals of a stream that write(coder, model) makes. */
 template <typename Write>
 void DecodeResiduals(bool isBounded, Write&& write)

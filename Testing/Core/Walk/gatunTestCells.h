@@ -304,19 +304,28 @@ inline EncodedCells ExpectRoundTripOf(
     EXPECT_NE(edge[0], edge[1]);
   }
   const auto shared = static_cast<std::uint32_t>(chunk.Frame.SharedKeys.size());
-  const auto inputOf = [&](Vertex v)
+  const auto getInputOf = [&](const EncodedCells& coded)
   {
-    const auto source = walk.Sources[v];
-    return walk.IsShared(v) ? source & ~Topology::SharedFlag : shared + encoded.OwnOrder[source];
+    return [&](Vertex v)
+    {
+      const auto source = coded.Mesh.Walk.Sources[v];
+      return coded.Mesh.Walk.IsShared(v) ? source & ~Topology::SharedFlag
+                                         : shared + coded.OwnOrder[source];
+    };
   };
-  for (Vertex v = 0; v < mesh.Keys.size(); ++v)
+  const auto expectKeys = [&](const ChunkMesh& decoded, const EncodedCells& coded)
   {
-    const auto input = inputOf(v);
-    EXPECT_EQ(
-      mesh.Keys[v], input < shared ? chunk.Frame.SharedKeys[input] : chunk.OwnKeys[input - shared]);
-  }
-  const auto restoreNumbers = [&](CellList& cells)
+    for (Vertex v = 0; v < decoded.Keys.size(); ++v)
+    {
+      const auto input = getInputOf(coded)(v);
+      EXPECT_EQ(decoded.Keys[v],
+        input < shared ? chunk.Frame.SharedKeys[input] : chunk.OwnKeys[input - shared]);
+    }
+  };
+  expectKeys(mesh, encoded);
+  const auto restoreNumbers = [&](CellList& cells, const EncodedCells& coded)
   {
+    const auto inputOf = getInputOf(coded);
     std::transform(cells.Corners.begin(), cells.Corners.end(), cells.Corners.begin(), inputOf);
     for (std::size_t at = 0; at < cells.Faces.size(); at += 1 + cells.Faces[at])
     {
@@ -325,10 +334,10 @@ inline EncodedCells ExpectRoundTripOf(
     }
   };
   auto turned = mesh.Cells;
-  restoreNumbers(turned);
+  restoreNumbers(turned, encoded);
   auto restored = mesh.Cells;
   RestoreCorners(restored, encoded.Corners);
-  restoreNumbers(restored);
+  restoreNumbers(restored, encoded);
   std::vector<char> seen(chunk.Cells.GetNumber(), 0);
   for (std::size_t c = 0; c < restored.GetNumber(); ++c)
   {
@@ -340,11 +349,17 @@ inline EncodedCells ExpectRoundTripOf(
   ExpectArrays(encoded, mesh);
   const auto again = EncodeCells(chunk.Frame, chunk.Cells, shapes, chunk.OwnKeys, false, profile);
   EXPECT_EQ(again.CellOrder, encoded.CellOrder);
-  EXPECT_EQ(again.Geometry, encoded.Geometry);
+  if (profile == Profile::Small)
+  {
+    // In the fast one, turned triangles meet their points in another order.
+    EXPECT_EQ(again.Geometry, encoded.Geometry);
+    EXPECT_LE(again.Connectivity.size(), encoded.Connectivity.size() + 16);
+  }
   EXPECT_TRUE(again.Corners.empty());
-  EXPECT_LE(again.Connectivity.size(), encoded.Connectivity.size() + 16);
-  auto free = DecodeCells(chunk.Frame, shapes, again.Connectivity, again.Geometry).Cells;
-  restoreNumbers(free);
+  const auto decoded = DecodeCells(chunk.Frame, shapes, again.Connectivity, again.Geometry);
+  expectKeys(decoded, again);
+  auto free = decoded.Cells;
+  restoreNumbers(free, again);
   for (std::size_t c = 0; c < free.GetNumber(); ++c)
   {
     EXPECT_TRUE(IsSameCell(free, c, chunk.Cells, again.CellOrder[c], false));

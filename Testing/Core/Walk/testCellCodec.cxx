@@ -227,6 +227,31 @@ TEST(CellCodec, CopiesCornersInTheFastProfile)
   EXPECT_EQ(std::count(parents.begin(), parents.end(), Topology::NoTet), 1);
 }
 
+TEST(CellCodec, TurnsTrianglesInTheFastProfile)
+{
+  constexpr std::uint32_t side = 40;
+  auto mesh = MakePoints(side * side);
+  std::mt19937 random(8);
+  const auto add = [&](Ids corners)
+  {
+    std::rotate(corners.begin(), corners.begin() + random() % 3, corners.end());
+    mesh.Add(TriangleType, corners);
+  };
+  for (std::uint32_t v = 0; v + side < side * side; ++v)
+  {
+    if (v % side + 1 < side)
+    {
+      add({ v, v + 1, v + side });
+      add({ v + 1, v + side + 1, v + side });
+    }
+  }
+  const auto chunk = MakeCellCase(mesh);
+  const auto kept = ExpectRoundTripOf(chunk, {}, Profile::Fast);
+  const auto turned =
+    EncodeCells(chunk.Frame, chunk.Cells, {}, chunk.OwnKeys, false, Profile::Fast);
+  EXPECT_LT(3 * turned.Connectivity.size(), kept.Connectivity.size());
+}
+
 TEST(CellCodec, HasWalksWhereVerticesAreTooManyForTheFastProfile)
 {
   const auto many = MakePoints(TetTree::MaxVertices + 1);
