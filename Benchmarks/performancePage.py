@@ -194,8 +194,8 @@ def triangle_rates(surface, way):
     return [surface["triangles"] / seconds / 1e6 for seconds in surface["seconds"][way]]
 
 
-WAYS = {"gtn": "fast", "gtn-small": "small", "draco": "Draco", "openctm": "OpenCTM", "meshopt": "meshoptimizer and zstd",
-        "vtp-zlib": "zlib `.vtp`", "vtp-lzma": "LZMA `.vtp`"}
+WAYS = {"gtn": "fast", "gtn-small": "small", "draco": "Draco", "openctm": "OpenCTM",
+        "meshopt": "meshoptimizer and zstd", "vtp-zlib": "zlib `.vtp`", "vtp-lzma": "LZMA `.vtp`"}
 HEAD = ["measurement", "Gatun", "VTK", "advantage (range)"]
 
 
@@ -211,7 +211,8 @@ repeated](dissertation.md) from [results.json](performance/results.json).
 range: above 1 where Gatun is better, else bold. *fast* and *small* are the profiles of `.gtn` files; where none
 is named, it is *fast*, the default. `.vtu` files have default settings (zlib, 64-bit ids); *LZMA* is level 9 with
 32-bit ids and blocks of 32 MiB. *zstd* is level 3 over the raw arrays in blocks of 1 MiB, much like
-a `.pv` file, also with the bytes of each block shuffled. Files are in the page cache. All processors are used, unless stated.''')}
+a `.pv` file, also with the bytes of each block shuffled. Files are in the page cache. All processors are used,
+unless stated.''')}
 {paragraph(f'''*delaunay* is a {delaunay["about"]} ({delaunay["pack"]["cells"]:,} tetrahedra, one float array), *grid* a
 synthetic structured grid around a nose (five tetrahedra per hexahedron, one array), *flow* a smaller one with
 four arrays, *hexahedra* and *mixed* (also wedges, pyramids and polyhedra) are made alike. Other meshes are real

@@ -26,8 +26,8 @@ BEGIN, END = "<!-- written by Utilities/setup.sh bench -->\n", "<!-- end -->\n"
 ARRAY = "Density"
 
 # Cells of synthetic meshes, time steps, pixels, voxels along an edge, triangles, rounds for short and long cases.
-FULL = {"delaunay": 1000000, "grid": 5000000, "flow": 400000, "hexahedra": 500000, "mixed": 300000,
-        "step": 200000, "steps": 16, "sizes": (512, 1024), "voxels": 128,
+FULL = {"delaunay": 1000000, "grid": 5000000, "flow": 400000, "hexahedra": 300000, "mixed": 100000,
+        "step": 100000, "steps": 16, "sizes": (512, 1024), "voxels": 128,
         "scan": 1000000, "samples": 200000, "blocks": (4, 8, 16, 32, 64), "rays": 100000, "rounds": 7,
         "few": 3, "real": True}
 QUICK = {"delaunay": 3000, "grid": 5000, "flow": 4000, "hexahedra": 2000, "mixed": 2000, "step": 2000,
@@ -200,12 +200,10 @@ def measure_images(runner, mode, meshes, threads):
         first.append({"name": name, "size": size, **rounds_of(mode["few"], ways)})
     later = []
     for name in meshes.shown("delaunay", "grid", "bluntfin"):
-        for size in mode["sizes"] if name == "delaunay" else mode["sizes"][-1:]:
-            is_main = name == "delaunay" and size == mode["sizes"][-1]
-            for count in dict.fromkeys((threads, 1)) if is_main else (threads,):
-                later.append({"name": name, **runner.case(
-                    "frames", meshes.file(name, "vtu-raw"), "--size", size, "--array", meshes.arrays[name],
-                    "--rounds", mode["few" if name == "grid" else "rounds"], threads=count, window=True)})
+        for count in dict.fromkeys((threads, 1)) if name == "delaunay" else (threads,):
+            later.append({"name": name, **runner.case(
+                "frames", meshes.file(name, "vtu-raw"), "--size", mode["sizes"][-1], "--array",
+                meshes.arrays[name], "--rounds", mode["few"], threads=count, window=True)})
     return {"first": first, "later": later}
 
 
@@ -279,7 +277,7 @@ def find_surfaces(runner, mode, meshes):
     for name, (source, count) in sources.items():
         if count:
             array = ("--array", ARRAY) if source.suffix == ".vtu" else ()
-            runner.gtn("contour", "-q", "-f", *array, "--number", count, source, whole)
+            runner.gtn("contour", "-q", "-f", "--precision", "single", *array, "--number", count, source, whole)
         runner.case("make-surface", file, "--mesh", whole if count else source)
         yield name, file
 
