@@ -21,7 +21,7 @@ from gtn_decoder import Decoder
 #: Small files, of which every byte is damaged.
 SMALL = ("one_tet", "two_tets", "seam", "two_layers", "two_cells", "two_faces", "boundary",
          "two_tets_and_one")
-BOUNDARIES = ("boundary", "boundary_of_cells", "bounded_errors", "hierarchy_of_moving_points",
+BOUNDARIES = ("boundary", "boundary_of_cells", "bounded_errors", "fast_bounded_errors", "hierarchy_of_moving_points",
               "series_of_hierarchies")
 
 
