@@ -12,7 +12,6 @@ gatun_core_folder(Support
     gatunFraming.h
     gatunPageArray.h
     gatunParallel.h
-    gatunPrefetch.h
     gatunPrintable.h
     gatunValueHistogram.h
   PRIVATE_HEADERS
@@ -27,6 +26,7 @@ gatun_core_folder(Support
     gatunKeepMemory.h
     gatunLargeArray.h
     gatunMorton.h
+    gatunPrefetch.h
     gatunProcessors.h
     gatunSimd.h
     gatunSpread.h

@@ -248,7 +248,7 @@ TEST(CellFile, TablesOfCellsMustBeRight)
 TEST(CellFile, VerifyingCountsTheCellsOfEachType)
 {
   // Many chunks, some of which are of tetrahedra.
-  const FileImage good(Write(Mixture(8), KeepAll, 100));
+  const FileImage good(Write(Mixture(10), KeepAll, 100));
   ASSERT_GT(good.Cells->Chunks.size(), 18u);
   const auto refuse = [&](const std::string& what, const std::function<void(CellTable&)>& change)
   {
