@@ -268,7 +268,6 @@ Measured earlier, and listed so that nobody tries it again without a new idea:
   layer alone.
 - *Quadric placement* as in VTK moves points and computes new values. It wins on smooth fields at few tetrahedra,
   but such merges cannot be undone, nor stored as an order of points.
-- *Isosurfaces of small meshes* are not faster from a `.gtn` file.
 - *Many processes*: each one needs the tables of all chunks, which bound the memory of a writer. Larger chunks
   help.
 """
