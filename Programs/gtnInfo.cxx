@@ -80,15 +80,25 @@ std::shared_ptr<const gatun::FileReader> Open(const std::string& file)
   }
 }
 
-// About how many bytes the file would take in the other profile.
+// About how many bytes the file would take in the other profile. What else is known about a file
+// is printed even if that cannot be found, as in a damaged one.
 void DescribeOtherProfile(const gatun::FileReader& file, Description& description)
 {
-  if (const auto bytes = EstimateOtherProfile(file))
+  const bool isFast = file.GetProfile() == gatun::Profile::Fast;
+  const std::string title =
+    "  as " + NameOfProfile(isFast ? gatun::Profile::Small : gatun::Profile::Fast);
+  try
   {
-    const bool isFast = file.GetProfile() == gatun::Profile::Fast;
-    const std::string other = NameOfProfile(isFast ? gatun::Profile::Small : gatun::Profile::Fast);
-    description.Add("otherProfileBytes", ("  as " + other).c_str(),
-      { Json::Value(Json::UInt64{ *bytes }), "about " + GroupDigits(*bytes) + " bytes" });
+    if (const auto bytes = EstimateOtherProfile(file))
+    {
+      description.Add("otherProfileBytes", title.c_str(),
+        { Json::Value(Json::UInt64{ *bytes }), "about " + GroupDigits(*bytes) + " bytes" });
+    }
+  }
+  catch (const Failure& failure)
+  {
+    description.Add("otherProfileBytes", title.c_str(),
+      { Json::Value(), std::string("unknown: ") + failure.what() });
   }
 }
 

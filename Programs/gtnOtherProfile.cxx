@@ -23,6 +23,7 @@
 #include <cstring>
 #include <filesystem>
 #include <string>
+#include <system_error>
 
 namespace gtn
 {
@@ -33,8 +34,14 @@ class TemporaryFolder
 {
 public:
   TemporaryFolder()
-    : Path((std::filesystem::temp_directory_path() / "gtn-XXXXXX").string())
   {
+    std::error_code failed;
+    const auto parent = std::filesystem::temp_directory_path(failed);
+    if (failed)
+    {
+      throw Failure("no folder for temporary files: " + failed.message());
+    }
+    this->Path = (parent / "gtn-XXXXXX").string();
     if (!::mkdtemp(this->Path.data()))
     {
       throw Failure(this->Path, std::string("cannot be made: ") + std::strerror(errno));

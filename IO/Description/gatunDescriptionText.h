@@ -46,6 +46,8 @@ VTKGATUNIO_EXPORT std::string NameOfCellType(int type);
 
 /** "points, cells, corners" of flags of gatun::KeepOrder, or "none". */
 VTKGATUNIO_EXPORT std::string NameOfKeptOrder(std::uint8_t kept);
+
+/** "fast" or "small". */
 VTKGATUNIO_EXPORT std::string NameOfProfile(Profile profile);
 }
 
