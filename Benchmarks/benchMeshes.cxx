@@ -168,6 +168,23 @@ void AddFlow(
   }
 }
 
+void AddWarmth(vtkUnstructuredGrid* grid, const std::vector<Point>& points, int step)
+{
+  vtkFloatArray* warmth = AddArray(grid, "Warmth", 1);
+  const Point center{ 0.5 * Wave(0.03 * step), 0.5 * Wave(0.02 * step + 0.25), 0.2 };
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    double distance = 0;
+    for (unsigned c = 0; c < 3; ++c)
+    {
+      distance += (points[i][c] - center[c]) * (points[i][c] - center[c]);
+    }
+    const double warm = 1 / (1 + (10 - 0.1 * step) * distance);
+    warmth->SetValue(static_cast<vtkIdType>(i),
+      static_cast<float>(warm + 0.1 * Wave(0.8 * points[i][0] + 0.5 * points[i][1] - 0.05 * step)));
+  }
+}
+
 /** The points of a structured grid around a nose. */
 std::vector<Point> MakeFlowPoints(const std::array<int, 3>& cells)
 {
@@ -362,16 +379,9 @@ void SetTets(vtkUnstructuredGrid* grid, const std::vector<Tet>& tets)
 }
 
 //------------------------------------------------------------------------------
-Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays, int step, bool moves)
+Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays)
 {
-  std::vector<Point> points = MakeFlowPoints(cells);
-  if (moves)
-  {
-    for (Point& p : points)
-    {
-      p[2] += 0.02 * Wave(0.04 * step + 0.3 * p[0]) * Wave(0.2 * p[1]);
-    }
-  }
+  const std::vector<Point> points = MakeFlowPoints(cells);
   constexpr int split[2][5][4] = { { { 0, 1, 3, 5 }, { 0, 3, 2, 6 }, { 0, 5, 6, 4 }, { 3, 6, 5, 7 },
                                      { 0, 3, 6, 5 } },
     { { 1, 0, 2, 4 }, { 1, 2, 3, 7 }, { 1, 4, 7, 5 }, { 2, 7, 4, 6 }, { 1, 2, 4, 7 } } };
@@ -396,8 +406,35 @@ Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays, int step, bool mo
     }
   }
   Grid grid = MakeGrid(points, std::move(tets), false);
-  AddFlow(grid, points, allArrays, step);
+  AddFlow(grid, points, allArrays);
   return grid;
+}
+
+//------------------------------------------------------------------------------
+Grid MakeStep(vtkUnstructuredGrid* grid, int step, bool moves)
+{
+  std::vector<Point> points(static_cast<std::size_t>(grid->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    Point& p = points[i];
+    grid->GetPoint(static_cast<vtkIdType>(i), p.data());
+    if (moves)
+    {
+      p[2] += 0.02 * Wave(0.04 * step + 0.3 * p[0]) * Wave(0.2 * p[1]);
+    }
+  }
+  auto result = Grid::New();
+  result->CopyStructure(grid);
+  result->SetPoints(MakePoints(points, false));
+  if (grid->GetPointData()->HasArray("Momentum"))
+  {
+    AddFlow(result, points, true, step);
+  }
+  else
+  {
+    AddWarmth(result, points, step);
+  }
+  return result;
 }
 
 //------------------------------------------------------------------------------

@@ -23,9 +23,16 @@ using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
  * Hexahedra of a structured grid that bends around a nose and grows finer towards it, as flow
  * solvers have it, five tetrahedra each. Float points; Density, and with allArrays also Momentum
  * (3), Energy and Pressure: a bow shock, waves, and noise of the size of rounding errors of a
- * solver (1e-6 of the value). With each time step the waves move on, and points, too, if moves.
+ * solver (1e-6 of the value).
  */
-Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays, int step = 0, bool moves = false);
+Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays);
+
+/**
+ * A mesh at a time step, at which waves have moved on, and points, too, if moves. A mesh with all
+ * arrays of MakeFlow has them with noise. Others have one array without: a warm place that wanders
+ * and a wave.
+ */
+Grid MakeStep(vtkUnstructuredGrid* grid, int step, bool moves);
 
 /** The hexahedra themselves; Density. */
 Grid MakeHexahedra(const std::array<int, 3>& cells);

@@ -17,7 +17,6 @@
 #include "vtkXMLUnstructuredGridReader.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -27,9 +26,9 @@ namespace
 {
 struct StepOptions
 {
+  std::string Mesh;
   std::string Folder;
   std::vector<std::string> Files;
-  int Tets = 0;
   int Steps = 0;
   bool Moves = false;
   int Rounds = 3;
@@ -37,12 +36,12 @@ struct StepOptions
 
 void MakeSteps(const StepOptions& options)
 {
-  const int width = std::max(2, static_cast<int>(std::lround(std::cbrt(options.Tets / 5.0))));
+  const Grid mesh = Load(options.Mesh);
   for (int step = 0; step < options.Steps; ++step)
   {
-    const Grid grid = MakeFlow({ width, width, width }, true, step, options.Moves);
     const std::string digits = std::to_string(10000 + step).substr(1);
-    Write({ "vtu-zlib" }, grid, options.Folder + "/step-" + digits + ".vtu");
+    Write({ "vtu-zlib" }, MakeStep(mesh, step, options.Moves),
+      options.Folder + "/step-" + digits + ".vtu");
   }
 }
 
@@ -128,10 +127,8 @@ void AddSteps(CLI::App& app)
   auto options = std::make_shared<StepOptions>();
   CLI::App* make =
     app.add_subcommand("make-steps", "Make time steps of a mesh, as zlib .vtu files of a folder");
+  make->add_option("MESH", options->Mesh)->required();
   make->add_option("FOLDER", options->Folder)->required();
-  make->add_option("--tets", options->Tets, "About how many tetrahedra")
-    ->required()
-    ->check(CLI::Range(100, 1000000000));
   make->add_option("--steps", options->Steps)->required()->check(CLI::Range(1, 9999));
   make->add_flag("--moves", options->Moves, "Points move");
   make->callback([options] { MakeSteps(*options); });

@@ -7,6 +7,7 @@ table of README.md from the results. GATUN_DATA_DIR and GATUN_CELLS_DIR may name
 """
 
 import argparse
+import itertools
 import json
 import os
 import pathlib
@@ -27,12 +28,10 @@ ARRAY = "Density"
 
 # Cells of synthetic meshes, time steps, pixels, voxels along an edge, triangles, rounds for short and long cases.
 FULL = {"delaunay": 1000000, "grid": 5000000, "flow": 400000, "hexahedra": 300000, "mixed": 100000,
-        "step": 100000, "steps": 16, "sizes": (512, 1024), "voxels": 128,
-        "scan": 1000000, "samples": 200000, "blocks": (4, 8, 16, 32, 64), "rays": 100000, "rounds": 7,
-        "few": 3, "real": True}
-QUICK = {"delaunay": 3000, "grid": 5000, "flow": 4000, "hexahedra": 2000, "mixed": 2000, "step": 2000,
-         "steps": 3, "sizes": (64,), "voxels": 24, "scan": 2000,
-         "samples": 2000, "blocks": (4, 8), "rays": 2000, "rounds": 1, "few": 1, "real": False}
+        "steps": 20, "sizes": (512, 1024), "voxels": 128, "scan": 1000000, "samples": 200000,
+        "blocks": (4, 8, 16, 32, 64), "rays": 100000, "rounds": 7, "few": 3, "real": True}
+QUICK = {"delaunay": 3000, "grid": 5000, "flow": 4000, "hexahedra": 2000, "mixed": 2000,
+         "steps": 3, "sizes": (64,), "voxels": 24, "scan": 2000, "samples": 2000, "blocks": (4, 8), "rays": 2000, "rounds": 1, "few": 1, "real": False}
 
 # Real meshes, those of tetrahedra with the point array that is shown.
 TETS = {"bluntfin_tets": "Density", "comb_tets": "Density", "kiefer_bracket_tets": "vonMises_psi_pt"}
@@ -166,12 +165,14 @@ def measure_files(runner, mode, meshes, processors):
     return measured
 
 
-def measure_steps(runner, mode):
-    """Forward through time steps of one mesh, in one file and in a .vtu file for each."""
+def measure_steps(runner, mode, meshes):
+    """Forward through time steps of a mesh, in one file and in a .vtu file for each."""
     measured = []
-    for name, options in (("points stand still", ()), ("points move", ("--moves",))):
+    for mesh, moves in itertools.product(("delaunay", "flow"), (False, True)):
+        name = f"{mesh}, points {'move' if moves else 'stand still'}"
         folder = runner.folder("steps")
-        runner.case("make-steps", folder, "--tets", mode["step"], "--steps", mode["steps"], *options)
+        runner.case("make-steps", meshes.source(mesh), folder, "--steps", mode["steps"],
+                    *(("--moves",) if moves else ()))
         files = []
         for form, profile in PROFILES.items():
             files.append(runner.path(f"steps-{form}.gtn"))
@@ -368,7 +369,7 @@ def measure(runner, mode):
     threads = results["machine"]["processors"]
     meshes = Meshes(runner, mode, results["machine"]["tetgen"])
     results["files"] = measure_files(runner, mode, meshes, threads)
-    results["steps"] = measure_steps(runner, mode)
+    results["steps"] = measure_steps(runner, mode, meshes)
     results["images"] = measure_images(runner, mode, meshes, threads)
     results["contours"] = measure_contours(runner, mode, meshes)
     results["simplification"] = measure_simplification(runner, mode, meshes)

@@ -59,13 +59,22 @@ public:
 
   void Decode()
   {
-    this->TakeShared();
-    this->HasCopies ? this->DecodeOwn<true>() : this->DecodeOwn<false>();
+    if (this->Columns[0].Before)
+    {
+      this->TakeShared<true>();
+      this->HasCopies ? this->DecodeOwn<true, true>() : this->DecodeOwn<false, true>();
+    }
+    else
+    {
+      this->TakeShared<false>();
+      this->HasCopies ? this->DecodeOwn<true, false>() : this->DecodeOwn<false, false>();
+    }
   }
 
 private:
   static constexpr unsigned Bits = 32;
 
+  template <bool Change>
   void TakeShared()
   {
     for (std::size_t v = 0; v < this->Numbers.size(); ++v)
@@ -80,7 +89,21 @@ private:
         keys[c] = static_cast<std::int32_t>(this->Columns[c].First[v * this->Columns[c].Stride]);
       }
       this->Numbers[v] = GetNumbers(keys);
+      if constexpr (Change)
+      {
+        this->Numbers[v] -= this->GetBefore(v);
+      }
     }
+  }
+
+  GATUN_INLINE Float4 GetBefore(std::size_t v) const
+  {
+    Int4 keys{};
+    for (std::size_t c = 0; c < Count; ++c)
+    {
+      keys[c] = static_cast<std::int32_t>(this->Columns[c].Before[v]);
+    }
+    return GetNumbers(keys);
   }
 
   /** Where a component's residuals are read. On the stack, because what is stored in keys could
@@ -128,7 +151,7 @@ private:
     return keys;
   }
 
-  template <bool Copies>
+  template <bool Copies, bool Change>
   void DecodeOwn()
   {
     constexpr auto lanes = std::make_index_sequence<Count>();
@@ -142,10 +165,15 @@ private:
         continue;
       }
       const auto gate = this->Vertices.Gates[v];
-      const Float4 number =
+      const Float4 before = Change ? this->GetBefore(v) : Float4{};
+      Float4 number =
         ((weights[0] * numbers[GetCorner(gate, 0)] + weights[1] * numbers[GetCorner(gate, 1)]) +
           weights[2] * numbers[GetCorner(gate, 2)]) +
         weights[3] * numbers[GetCorner(gate, 3)];
+      if constexpr (Change)
+      {
+        number = before + number;
+      }
       // Unsigned, as keys wrap around.
       Int4 keys = std::bit_cast<Int4>(std::bit_cast<UInt4>(GetKeys(number)) +
         std::bit_cast<UInt4>(GetResiduals<Copies>(cursors, lanes)));
@@ -154,6 +182,10 @@ private:
         keys = this->Copy(keys, gate, cursors);
       }
       numbers[v] = GetNumbers(keys);
+      if constexpr (Change)
+      {
+        numbers[v] -= before;
+      }
       for (std::size_t c = 0; c < Count; ++c)
       {
         this->Columns[c].First[v * this->Columns[c].Stride] = static_cast<std::uint32_t>(keys[c]);
@@ -166,7 +198,7 @@ private:
   std::array<Float4, GateSize> Weights{};
   std::array<std::optional<NumberReader>, Count> Residuals;
   bool HasCopies = false;
-  std::vector<Float4> Numbers; // of all vertices; 0 of own ones that come later
+  std::vector<Float4> Numbers; // of all vertices, or changes; 0 of own ones that come later
 };
 }
 

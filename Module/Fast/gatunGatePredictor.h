@@ -122,13 +122,10 @@ public:
   {
     for (std::size_t v = 0; v < this->Numbers.size(); ++v)
     {
-      this->Numbers[v] = IsOwn(vertices.Sources[v]) ? Number{ 0 } : values.ToNumber(keys.Now[v]);
-    }
-    if (keys.Use == BeforeUse::Change)
-    {
-      this->NumbersBefore.resize(this->Numbers.size());
-      std::transform(keys.Before.begin(), keys.Before.end(), this->NumbersBefore.begin(),
-        [&values](Key key) { return values.ToNumber(key); });
+      if (!IsOwn(vertices.Sources[v]))
+      {
+        this->Note(v, keys.Now[v]);
+      }
     }
   }
 
@@ -138,32 +135,33 @@ public:
     {
       return this->Keys.Before[v];
     }
-    const auto number = this->PredictFrom(v, this->Numbers);
-    return this->Coded.FromNumber(this->Keys.Use == BeforeUse::None
-        ? number
-        : this->NumbersBefore[v] + (number - this->PredictFrom(v, this->NumbersBefore)));
+    const auto number = PredictBy(this->Weights, this->Vertices.Gates[v],
+      [from = this->Numbers.data()](std::uint32_t u) { return from[u]; });
+    return this->Coded.FromNumber(
+      this->Keys.Use == BeforeUse::Change ? this->GetBefore(v) + number : number);
   }
 
   /** Notes the key of a vertex. */
   void Set(std::size_t v, Key key)
   {
     this->Keys.Now[v] = key;
-    this->Numbers[v] = this->Coded.ToNumber(key);
+    this->Note(v, key);
   }
 
 private:
-  Number PredictFrom(std::size_t v, const std::vector<Number>& numbers) const
+  Number GetBefore(std::size_t v) const { return this->Coded.ToNumber(this->Keys.Before[v]); }
+
+  void Note(std::size_t v, Key key)
   {
-    return PredictBy(this->Weights, this->Vertices.Gates[v],
-      [from = numbers.data()](std::uint32_t u) { return from[u]; });
+    const auto number = this->Coded.ToNumber(key);
+    this->Numbers[v] = this->Keys.Use == BeforeUse::Change ? number - this->GetBefore(v) : number;
   }
 
   const Values& Coded;
   const GateVertices& Vertices;
   const GateKeys& Keys;
   const std::array<Number, GateSize> Weights;
-  std::vector<Number> Numbers;
-  std::vector<Number> NumbersBefore;
+  std::vector<Number> Numbers; // or changes; 0 of own vertices that come later
 };
 
 /** Predicts the keys of items in order. */

@@ -44,9 +44,8 @@ unsigned FindCopy(PackedTet gate, std::span<const Key> keys, Key key)
 template <typename Number>
 struct GateSample
 {
-  std::array<Number, GateSize> Gate;
-  std::array<Number, GateSize> GateBefore{};
-  Number NumberBefore = 0;
+  std::array<Number, GateSize> Gate; // or changes
+  Number Before = 0;
   Key Wanted;
   unsigned Copy; // as FindCopy
 };
@@ -60,21 +59,23 @@ std::vector<GateSample<typename Values::Number>> TakeSamples(
   const auto step = std::max<std::size_t>(1, keys.Now.size() / most);
   std::vector<GateSample<typename Values::Number>> samples;
   samples.reserve(keys.Now.size() / step);
+  const bool isChange = keys.Use == BeforeUse::Change;
   for (std::size_t v = 1; v < keys.Now.size(); v += step)
   {
     auto& sample = samples.emplace_back();
     const auto gate = vertices.Gates[v];
     for (unsigned k = 0; k < GateSize; ++k)
     {
-      sample.Gate[k] = values.ToNumber(keys.Now[GetCorner(gate, k)]);
-    }
-    if (keys.Use == BeforeUse::Change)
-    {
-      for (unsigned k = 0; k < GateSize; ++k)
+      const auto corner = GetCorner(gate, k);
+      sample.Gate[k] = values.ToNumber(keys.Now[corner]);
+      if (isChange)
       {
-        sample.GateBefore[k] = values.ToNumber(keys.Before[GetCorner(gate, k)]);
+        sample.Gate[k] -= values.ToNumber(keys.Before[corner]);
       }
-      sample.NumberBefore = values.ToNumber(keys.Before[v]);
+    }
+    if (isChange)
+    {
+      sample.Before = values.ToNumber(keys.Before[v]);
     }
     sample.Wanted = keys.Now[v];
     sample.Copy = FindCopy(gate, keys.Now, sample.Wanted);
@@ -126,9 +127,8 @@ std::array<double, 2> EstimateBits(const Values& values,
   BitCount copied;
   for (const auto& sample : samples)
   {
-    const Number number = use == BeforeUse::Change
-      ? sample.NumberBefore + (predict(sample.Gate) - predict(sample.GateBefore))
-      : predict(sample.Gate);
+    const Number predicted = predict(sample.Gate);
+    const Number number = use == BeforeUse::Change ? sample.Before + predicted : predicted;
     const auto length = static_cast<unsigned>(
       std::bit_width(values.Subtract(sample.Wanted, values.FromNumber(number))));
     plain.Add(length, GetLowBits(length));

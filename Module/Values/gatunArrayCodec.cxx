@@ -499,9 +499,9 @@ void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext&
   if (modes.Spatial == SpatialMode::Fast)
   {
     const GateVertices vertices{ context.Mesh->Gates, context.Mesh->Sources };
-    if (modes.Temporal == TemporalMode::None && HaveLanes(domains))
+    if (modes.Temporal != TemporalMode::Repeat && HaveLanes(domains))
     {
-      DecodeLanes(stream, vertices, components);
+      DecodeLanes(stream, modes.Temporal, vertices, components);
       return;
     }
     DecodeFast(stream, modes.Temporal, domains, components,

@@ -88,10 +88,10 @@ inline bool HaveLanes(std::span<const Domain> domains)
     std::all_of(domains.begin(), domains.end(), Float32Domain::Matches);
 }
 
-/** Decodes the components of a stream of EncodeFast at the vertices of a tree, where HaveLanes, and
- * without values before. */
-inline void DecodeLanes(std::span<const std::uint8_t> stream, const GateVertices& vertices,
-  std::span<ComponentKeys> components)
+/** Decodes the components of a stream of EncodeFast at the vertices of a tree, where HaveLanes. Not
+ * for TemporalMode::Repeat. */
+inline void DecodeLanes(std::span<const std::uint8_t> stream, TemporalMode temporal,
+  const GateVertices& vertices, std::span<ComponentKeys> components)
 {
   ByteReader in(stream.subspan(2));
   while (!components.empty())
@@ -99,8 +99,10 @@ inline void DecodeLanes(std::span<const std::uint8_t> stream, const GateVertices
     const auto some = components.first(std::min(MostGateLanes, components.size()));
     std::array<KeyColumn, MostGateLanes> columns{};
     std::transform(some.begin(), some.end(), columns.begin(),
-      [](ComponentKeys& keys) -> KeyColumn {
-        return { keys.Now.data(), 1 };
+      [temporal](ComponentKeys& keys) -> KeyColumn
+      {
+        return { keys.Now.data(), 1,
+          temporal == TemporalMode::Change ? keys.Before.data() : nullptr };
       });
     GetVertexLanes(in, vertices, std::span(columns).first(some.size()));
     components = components.subspan(some.size());

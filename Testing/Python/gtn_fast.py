@@ -205,9 +205,9 @@ def decode_vertices(stream, domain, tree, now, before=None, temporal=NONE):
     if own and own[0] == 0:
         now[0] = domain.from_number(0.0) if copies == 0 else 0
 
-    def predict(keys, gate):
-        a, b, c, d = (w * real(domain.to_number(keys[v])) for w, v in zip(weights, gate))
-        return ((a + b) + c) + d
+    def number(v):
+        value = real(domain.to_number(now[v]))
+        return value - real(domain.to_number(before[v])) if temporal == CHANGE else value
 
     with np.errstate(all="ignore"):
         for v in own:
@@ -219,10 +219,11 @@ def decode_vertices(stream, domain, tree, now, before=None, temporal=NONE):
             if temporal == REPEAT:
                 p = before[v]
             else:
-                number = predict(now, gate) if v > 0 else real(0)
+                a, b, c, d = (w * number(u) for w, u in zip(weights, gate)) if v > 0 else 4 * [real(0)]
+                predicted = ((a + b) + c) + d
                 if temporal == CHANGE:
-                    number = real(domain.to_number(before[v])) + (number - predict(before, gate))
-                p = domain.from_number(float(number))
+                    predicted = real(domain.to_number(before[v])) + predicted
+                p = domain.from_number(float(predicted))
             now[v] = steps.key(p) if is_rounded else domain.add(p, signed(residuals.number(n)))
 
 
