@@ -305,7 +305,7 @@ void AddPack(CLI::App& app, Settings& settings)
     ->option_text("WHAT");
   command
     ->add_option("--profile", options->Profile,
-      "Optimize the file for reading speed (fast) or for size (small; up to half the space, read "
+      "Optimize the file for reading speed (fast) or for size (small; down to half the space, read "
       "several times slower) (default: fast)")
     ->check(CLI::IsMember({ "fast", "small" }))
     ->option_text("WHAT");

@@ -322,6 +322,52 @@ private:
   double Unit;       // the distance of values
   double PerUnit;
 };
+
+/** The same with a palette, of any type. */
+class RankDomain
+{
+public:
+  explicit RankDomain(const Domain& domain)
+    : Type(domain.GetType())
+    , Bits(domain.GetBits())
+    , Count(domain.GetPalette()->size())
+    , Last(static_cast<double>(this->Count - 1))
+  {
+  }
+
+  static bool Matches(const Domain& domain) { return static_cast<bool>(domain.GetPalette()); }
+
+  ScalarType GetType() const { return this->Type; }
+  unsigned GetBits() const { return this->Bits; }
+  bool IsValid(Key key) const { return key < this->Count; }
+
+  static double ToNumber(Key key) { return static_cast<double>(static_cast<std::int64_t>(key)); }
+
+  Key FromNumber(double number) const
+  {
+    const bool isFinite = std::abs(number) <= std::numeric_limits<double>::max();
+    const double rank = isFinite ? number : 0;
+    const double bounded = rank > this->Last ? this->Last : rank < 0 ? 0 : rank;
+    return static_cast<Key>(static_cast<std::int64_t>(bounded + 0.5));
+  }
+
+  std::int64_t Subtract(Key key, Key predicted) const
+  {
+    const unsigned unused = 64 - this->Bits;
+    return static_cast<std::int64_t>((key - predicted) << unused) >> unused;
+  }
+
+  Key Add(Key predicted, std::int64_t residual) const
+  {
+    return (predicted + static_cast<Key>(residual)) & ((Key{ 1 } << this->Bits) - 1);
+  }
+
+private:
+  ScalarType Type;
+  unsigned Bits;
+  std::size_t Count;
+  double Last;
+};
 }
 
 #endif

@@ -64,7 +64,9 @@ public:
         break;
       case ScalarType::Float32:
       case ScalarType::Float64:
-        key = (key & sign) ? key ^ sign : ~key;
+        // The sign of positive numbers, else all bits. A condition would be an unpredictable
+        // branch.
+        key ^= sign | ((key >> (bits - 1) & 1) - 1);
         break;
       default:
         break;

@@ -307,23 +307,24 @@ private:
     FindSources(at, item, i);
     this->FindPlaces(at, item, i, places);
     auto& cells = this->Tree.Cells;
+    std::array<std::uint32_t, CellTemplate::MaxHead> head;
+    std::transform(item.From.begin(), item.From.end(), head.begin(),
+      [&places](std::uint8_t from) { return places[from]; });
     // Rows are written in whole words, as they are read soon: processors wait for smaller parts.
-    const auto& head = item.From;
-    const std::array<PackedTet, 2> halves{ TreeSymbols::Pack(places[head[0]], places[head[1]],
-                                             places[head[2]], places[head[3]]),
-      TreeSymbols::Pack(places[head[4]], places[head[5]], places[head[6]], places[head[7]]) };
+    const std::array<PackedTet, 2> halves{ TreeSymbols::Pack(head[0], head[1], head[2], head[3]),
+      TreeSymbols::Pack(head[4], head[5], head[6], head[7]) };
     std::memcpy(this->Rows[i].data(), halves.data(), sizeof(halves));
-    auto* const corners = cells.Corners.data() + at.Corner;
-    for (unsigned k = 0; k < CellTemplate::MaxHead; ++k)
-    {
-      corners[k] = GetCorner(halves[k / 4], k % 4);
-    }
-    auto* gate = this->Tree.Gates.data() + at.Next;
-    for (unsigned w = 0; w < item.News; ++w)
+    std::copy(head.begin(), head.end(), cells.Corners.data() + at.Corner);
+    const auto makeGate = [&](unsigned w)
     {
       const auto& from = item.Gates[w];
-      *gate++ =
+      this->Tree.Gates[at.Next + w] =
         TreeSymbols::Pack(places[from[0]], places[from[1]], places[from[2]], places[from[3]]);
+    };
+    makeGate(0); // without a condition, which is unpredictable; the next one may replace it
+    for (unsigned w = 1; w < item.News; ++w)
+    {
+      makeGate(w);
     }
     at.Next += item.News;
     at.Corner += item.Head;

@@ -7,6 +7,7 @@
 #include "gatunLanes.h"
 #include "gatunNumberStream.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
@@ -41,9 +42,9 @@ public:
   LaneDecoder(ByteReader& in, const GateVertices& vertices, std::span<const KeyColumn> columns)
     : Vertices(vertices)
     , Columns(columns)
+    , Own(FindOwn(vertices.Sources))
     , Numbers(vertices.Sources.size())
   {
-    const std::size_t own = CountOwn(vertices.Sources);
     for (std::size_t c = 0; c < Count; ++c)
     {
       const auto rule = VertexRule::Read(in);
@@ -53,7 +54,7 @@ public:
         this->Weights[k][c] = weights[k];
       }
       this->HasCopies = this->HasCopies || rule.Copies;
-      this->Residuals[c].emplace(in, own, Bits, Bits + (rule.Copies ? GateSize : 0));
+      this->Residuals[c].emplace(in, this->Own.size(), Bits, Bits + (rule.Copies ? GateSize : 0));
     }
   }
 
@@ -117,8 +118,8 @@ private:
     GATUN_INLINE std::int32_t Get()
     {
       const unsigned length = *this->Length++;
-      const unsigned stored = Copies && length > Bits ? 0 : length;
-      return static_cast<std::int32_t>(ToSigned(this->Stored.GetNumber(stored)));
+      const unsigned stored = Copies ? length & (0u - (length <= Bits ? 1u : 0u)) : length;
+      return static_cast<std::int32_t>(ToSigned(this->Stored.GetNumber<Bits>(stored)));
     }
   };
   using Cursors = std::array<Cursor, Count>;
@@ -136,19 +137,19 @@ private:
     return Int4{ cursors[Lane].template Get<Copies>()... };
   }
 
-  /** Replaces keys by those of vertices of the gate. */
-  Int4 Copy(Int4 keys, PackedTet gate, const Cursors& cursors) const
+  /** Replaces keys by those of vertices of the gate, without branches, which are unpredictable
+   * here. */
+  template <std::size_t... Lane>
+  GATUN_INLINE static Int4 Copy(Int4 keys, PackedTet gate, const Cursors& cursors,
+    const std::array<KeyColumn, Count>& columns, std::index_sequence<Lane...>)
   {
-    for (std::size_t c = 0; c < Count; ++c)
-    {
-      const unsigned length = cursors[c].Length[-1]; // that was read
-      if (length > Bits)
-      {
-        const auto from = GetCorner(gate, length - Bits - 1);
-        keys[c] = static_cast<std::int32_t>(this->Columns[c].First[from * this->Columns[c].Stride]);
-      }
-    }
-    return keys;
+    // The lengths that were read.
+    const Int4 isCopy{ -static_cast<std::int32_t>(cursors[Lane].Length[-1] > Bits)... };
+    const auto from = [gate](unsigned length)
+    { return GetCorner(gate, (length - Bits - 1) % GateSize); };
+    const Int4 others{ static_cast<std::int32_t>(
+      columns[Lane].First[from(cursors[Lane].Length[-1]) * columns[Lane].Stride])... };
+    return (others & isCopy) | (keys & ~isCopy);
   }
 
   template <bool Copies, bool Change>
@@ -157,13 +158,11 @@ private:
     constexpr auto lanes = std::make_index_sequence<Count>();
     auto cursors = this->GetCursors(lanes);
     const auto weights = this->Weights;
+    std::array<KeyColumn, Count> columns;
+    std::copy(this->Columns.begin(), this->Columns.end(), columns.begin());
     Float4* const numbers = this->Numbers.data();
-    for (std::size_t v = 0; v < this->Numbers.size(); ++v)
+    for (const std::size_t v : this->Own)
     {
-      if (!IsOwn(this->Vertices.Sources[v]))
-      {
-        continue;
-      }
       const auto gate = this->Vertices.Gates[v];
       const Float4 before = Change ? this->GetBefore(v) : Float4{};
       Float4 number =
@@ -179,7 +178,7 @@ private:
         std::bit_cast<UInt4>(GetResiduals<Copies>(cursors, lanes)));
       if constexpr (Copies)
       {
-        keys = this->Copy(keys, gate, cursors);
+        keys = Copy(keys, gate, cursors, columns, lanes);
       }
       numbers[v] = GetNumbers(keys);
       if constexpr (Change)
@@ -188,13 +187,14 @@ private:
       }
       for (std::size_t c = 0; c < Count; ++c)
       {
-        this->Columns[c].First[v * this->Columns[c].Stride] = static_cast<std::uint32_t>(keys[c]);
+        columns[c].First[v * columns[c].Stride] = static_cast<std::uint32_t>(keys[c]);
       }
     }
   }
 
   const GateVertices& Vertices;
   const std::span<const KeyColumn> Columns;
+  const std::vector<std::uint32_t> Own;
   std::array<Float4, GateSize> Weights{};
   std::array<std::optional<NumberReader>, Count> Residuals;
   bool HasCopies = false;

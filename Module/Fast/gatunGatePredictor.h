@@ -89,6 +89,10 @@ void WithValues(const Domain& domain, Code&& code)
   {
     code(DoubleValues(BinaryDomain(domain)));
   }
+  else if (RankDomain::Matches(domain))
+  {
+    code(DoubleValues(RankDomain(domain)));
+  }
   else
   {
     code(DoubleValues(domain));

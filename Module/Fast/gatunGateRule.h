@@ -94,17 +94,6 @@ struct GateKeys
   std::span<const Key> Before{};
   BeforeUse Use = BeforeUse::None;
 };
-
-/** Whether a vertex is an own one, by its source. */
-constexpr bool IsOwn(std::uint32_t source)
-{
-  return (source & TetTree::SharedFlag) == 0;
-}
-
-inline std::size_t CountOwn(std::span<const std::uint32_t> sources)
-{
-  return static_cast<std::size_t>(std::count_if(sources.begin(), sources.end(), IsOwn));
-}
 }
 
 #endif

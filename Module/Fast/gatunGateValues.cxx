@@ -178,12 +178,8 @@ void PutVertices(
   const auto rule = ChooseRule(values, vertices, keys);
   VertexPredictor<Values> predictor(values, vertices, keys, rule.Weights);
   NumberWriter residuals;
-  for (std::size_t v = 0; v < keys.Now.size(); ++v)
+  for (const std::size_t v : FindOwn(vertices.Sources))
   {
-    if (!IsOwn(vertices.Sources[v]))
-    {
-      continue;
-    }
     const Key key = keys.Now[v];
     const auto residual = values.Subtract(key, predictor.Predict(v));
     // Vertex 0 has no others.
@@ -211,28 +207,41 @@ void CheckKey(bool isValid)
   }
 }
 
+/** Has no branches that depend on lengths, as those are unpredictable. */
+template <bool Copies, typename Values>
+void GetVerticesBy(ByteReader& in, const Values& values, const GateVertices& vertices,
+  const GateKeys& keys, const GateWeights& weights)
+{
+  VertexPredictor<Values> predictor(values, vertices, keys, weights);
+  const unsigned bits = values.GetBits();
+  const auto own = FindOwn(vertices.Sources);
+  NumberReader residuals(in, own.size(), bits, bits + (Copies ? GateSize : 0));
+  bool areValid = true;
+  for (const std::size_t v : own)
+  {
+    const auto length = residuals.GetLength();
+    const std::uint64_t isCopy = Copies && length > bits ? 1 : 0;
+    const auto number =
+      residuals.GetNumber(length & (static_cast<unsigned>(isCopy) - 1)); // 0 for a copy
+    Key key = values.Add(predictor.Predict(v), number);
+    if constexpr (Copies)
+    {
+      const Key other = keys.Now[GetCorner(vertices.Gates[v], (length - bits - 1) % GateSize)];
+      key ^= (key ^ other) & (0 - isCopy);
+    }
+    areValid = areValid && values.IsValid(key);
+    predictor.Set(v, areValid ? key : 0);
+  }
+  CheckKey(areValid);
+}
+
 template <typename Values>
 void GetVertices(
   ByteReader& in, const Values& values, const GateVertices& vertices, const GateKeys& keys)
 {
   const auto rule = VertexRule::Read(in);
-  VertexPredictor<Values> predictor(values, vertices, keys, rule.Weights);
-  const unsigned bits = values.GetBits();
-  NumberReader residuals(in, CountOwn(vertices.Sources), bits, bits + (rule.Copies ? GateSize : 0));
-  bool areValid = true;
-  for (std::size_t v = 0; v < keys.Now.size(); ++v)
-  {
-    if (!IsOwn(vertices.Sources[v]))
-    {
-      continue;
-    }
-    const auto length = residuals.GetLength();
-    const Key key = length > bits ? keys.Now[GetCorner(vertices.Gates[v], length - bits - 1)]
-                                  : values.Add(predictor.Predict(v), residuals.GetNumber(length));
-    areValid = areValid && values.IsValid(key);
-    predictor.Set(v, areValid ? key : 0);
-  }
-  CheckKey(areValid);
+  rule.Copies ? GetVerticesBy<true>(in, values, vertices, keys, rule.Weights)
+              : GetVerticesBy<false>(in, values, vertices, keys, rule.Weights);
 }
 }
 

@@ -7,6 +7,7 @@
 // Unsigned numbers as their lengths in bits, which are packed, and the bits below the highest one.
 
 #include "gatunBytes.h"
+#include "gatunInline.h"
 #include "gatunPackedBytes.h"
 
 #include <algorithm>
@@ -74,6 +75,26 @@ private:
   unsigned Count = 0;
 };
 
+/** How a number of some length is made of bits that follow. A table, as conditions on lengths would
+ * be branches, which are unpredictable. */
+struct NumberShape
+{
+  std::uint64_t Mask; ///< of the bits that are stored
+  std::uint64_t High; ///< the highest bit
+  unsigned Bits;      ///< how many are stored
+};
+
+constexpr auto NumberShapes = []
+{
+  std::array<NumberShape, 65> shapes{};
+  for (unsigned length = 1; length < shapes.size(); ++length)
+  {
+    const auto high = std::uint64_t{ 1 } << (length - 1);
+    shapes[length] = { high - 1, high, GetLowBits(length) };
+  }
+  return shapes;
+}();
+
 /** Reads what BitWriter wrote. The bytes must be long enough, and Padding more that may be read. */
 class BitReader
 {
@@ -85,27 +106,25 @@ public:
   {
   }
 
-  /** The next count bits, at most 63. */
-  std::uint64_t Get(unsigned count)
+  /** The next number of a length up to Longest. */
+  template <unsigned Longest = 64>
+  GATUN_INLINE std::uint64_t GetNumber(unsigned length)
   {
+    const auto& shape = NumberShapes[length];
     std::uint64_t low;
     std::memcpy(&low, this->Data + (this->Position >> 3), sizeof(low));
     const unsigned shift = this->Position & 7;
     low >>= shift;
-    if (count > 56)
+    if constexpr (Longest > 57)
     {
-      const std::uint64_t next = this->Data[(this->Position >> 3) + 8];
-      low |= shift > 0 ? next << (64 - shift) : 0;
+      if (shape.Bits > 56)
+      {
+        const std::uint64_t next = this->Data[(this->Position >> 3) + 8];
+        low |= shift > 0 ? next << (64 - shift) : 0;
+      }
     }
-    this->Position += count;
-    return low & ((std::uint64_t{ 1 } << count) - 1);
-  }
-
-  /** The next number of a length. */
-  std::uint64_t GetNumber(unsigned length)
-  {
-    const auto low = this->Get(GetLowBits(length));
-    return low | std::uint64_t{ length > 0 } << GetLowBits(length);
+    this->Position += shape.Bits;
+    return (low & shape.Mask) | shape.High;
   }
 
 private:
@@ -151,6 +170,39 @@ inline Bytes GetBits(ByteReader& in)
   return bits;
 }
 
+/** The largest byte, or 0. */
+inline std::uint8_t FindLargest(std::span<const std::uint8_t> bytes)
+{
+  std::uint8_t largest = 0;
+  for (const auto byte : bytes)
+  {
+    largest = std::max(largest, byte);
+  }
+  return largest;
+}
+
+/** The sum of GetLowBits of the lengths up to one. In runs whose sums fit 16 bits, so that the loop
+ * has many lanes. */
+inline std::size_t CountLowBits(std::span<const std::uint8_t> lengths, unsigned longest)
+{
+  constexpr std::size_t run = 1024;
+  const auto most = static_cast<std::uint8_t>(longest);
+  std::size_t bits = 0;
+  while (!lengths.empty())
+  {
+    const auto part = lengths.first(std::min(run, lengths.size()));
+    std::uint16_t sum = 0;
+    for (const auto length : part)
+    {
+      const auto low = static_cast<std::uint8_t>(length - (length > 0 ? 1 : 0));
+      sum = static_cast<std::uint16_t>(sum + (length <= most ? low : 0));
+    }
+    bits += sum;
+    lengths = lengths.subspan(part.size());
+  }
+  return bits;
+}
+
 /** Reads what NumberWriter collected. Lengths may be followed by some that stand for something else
  * than a number and have no bits. */
 class NumberReader
@@ -164,22 +216,8 @@ public:
     GetPacked(in, this->Lengths);
     this->Stored = GetBits(in);
     this->Bits = BitReader(this->Stored.data());
-    // In runs whose sums fit 32 bits, so that the loop has more lanes.
-    constexpr std::size_t run = std::size_t{ 1 } << 16;
-    std::size_t all = 0;
-    std::uint8_t largest = 0;
-    for (std::size_t begin = 0; begin < count; begin += run)
-    {
-      std::uint32_t sum = 0;
-      for (const auto length :
-        std::span(this->Lengths).subspan(begin, std::min(run, count - begin)))
-      {
-        sum += length <= bits ? GetLowBits(length) : 0;
-        largest = std::max(largest, length);
-      }
-      all += sum;
-    }
-    if (largest > longest || all > 8 * (this->Stored.size() - BitReader::Padding))
+    if (FindLargest(this->Lengths) > longest ||
+      CountLowBits(this->Lengths, bits) > 8 * (this->Stored.size() - BitReader::Padding))
     {
       ThrowCorrupt("numbers are longer than they may be");
     }
@@ -195,7 +233,7 @@ public:
 
   /** The next length, and the number with it. To be called as often as there are numbers. */
   unsigned GetLength() { return this->Lengths[this->Next++]; }
-  std::uint64_t GetNumber(unsigned length) { return this->Bits.GetNumber(length); }
+  GATUN_INLINE std::uint64_t GetNumber(unsigned length) { return this->Bits.GetNumber(length); }
 
   std::uint64_t Get() { return this->GetNumber(this->GetLength()); }
 

@@ -81,6 +81,26 @@ struct TetTree
   std::vector<std::uint8_t> Flips;
 };
 
+/** Whether a vertex is an own one, by its source. */
+constexpr bool IsOwn(std::uint32_t source)
+{
+  return (source & TetTree::SharedFlag) == 0;
+}
+
+/** The own vertices. */
+inline std::vector<std::uint32_t> FindOwn(std::span<const std::uint32_t> sources)
+{
+  std::vector<std::uint32_t> own(sources.size());
+  std::size_t count = 0;
+  for (std::uint32_t v = 0; v < own.size(); ++v)
+  {
+    own[count] = v; // the next one replaces a shared one
+    count += IsOwn(sources[v]) ? 1 : 0;
+  }
+  own.resize(count);
+  return own;
+}
+
 /** Whether a chunk can have this coder. */
 constexpr bool FitsTree(std::size_t vertices)
 {

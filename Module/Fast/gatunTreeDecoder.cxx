@@ -146,12 +146,7 @@ private:
     unused |= (this->Tets & 1) != 0 ? this->Masks.back() & 0x38 : 0;
     const std::size_t fars = CountOf(this->Classes, Far);
     std::size_t news = CountOf(this->Classes, New);
-    std::uint8_t largest = 0;
-    for (const auto symbol : this->Classes)
-    {
-      largest = std::max(largest, symbol);
-    }
-    if (children != this->Classes.size() || unused != 0 || largest >= Count)
+    if (children != this->Classes.size() || unused != 0 || FindLargest(this->Classes) >= Count)
     {
       ThrowCorrupt("the tree of a chunk is damaged");
     }

@@ -42,7 +42,9 @@ constexpr PackedTet GetFace(PackedTet tet, unsigned shift)
 /** The corner opposite to the face that begins at a shift. */
 constexpr PackedTet GetOpposite(PackedTet tet, unsigned shift)
 {
-  return tet >> (shift == 16 ? 0 : shift == 32 ? 16 : 32) & 0xffff;
+  // A table, as compilers make unpredictable branches of conditions.
+  constexpr std::array<std::uint8_t, FaceCount> shifts{ 32, 0, 16 };
+  return tet >> shifts[shift / 16] & 0xffff;
 }
 
 constexpr PackedTet Pack(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d)

@@ -77,7 +77,9 @@ inline std::vector<std::uint32_t> GetVertexNames(
   std::uint32_t own = 0;
   for (auto& source : sources)
   {
-    source = source != 0 ? source : own++;
+    const std::uint32_t isOwn = source == 0 ? 1 : 0;
+    source |= own & (0 - isOwn);
+    own += isOwn;
   }
   return sources;
 }

@@ -61,7 +61,7 @@ void CellStore::StoreCorners(std::span<const std::uint32_t> corners,
   {
     using Id = std::remove_pointer_t<decltype(connectivity)>;
     std::transform(corners.begin(), corners.end(), connectivity + first,
-      [&](std::uint32_t point) { return static_cast<Id>(ids[point]); });
+      [ids](std::uint32_t point) { return static_cast<Id>(ids[point]); });
   };
   if (this->Target.WideIds)
   {
@@ -100,19 +100,17 @@ void CellStore::Store(const CellList& list, std::span<const std::uint64_t> ids,
   std::uint64_t firstCell, std::uint64_t firstCorner, std::uint64_t firstFaceValue) const
 {
   this->StoreCorners(list.Corners, ids, firstCorner);
+  std::copy(list.Types.begin(), list.Types.end(), this->Target.Types + firstCell);
   for (std::size_t cell = 0; cell < list.GetNumber(); ++cell)
   {
-    const auto place = firstCell + cell;
+    this->SetOffset(firstCell + cell, firstCorner + list.Starts[cell]);
+  }
+  for (std::size_t cell = 0; this->Target.FaceLocations && cell < list.GetNumber(); ++cell)
+  {
     const auto faceValues = CountFaceValues(list, cell);
-    this->SetOffset(place, firstCorner);
-    this->Target.Types[place] = list.Types[cell];
-    if (this->Target.FaceLocations)
-    {
-      this->Target.FaceLocations[place] =
-        faceValues > 0 ? static_cast<std::int64_t>(firstFaceValue) : -1;
-    }
+    this->Target.FaceLocations[firstCell + cell] =
+      faceValues > 0 ? static_cast<std::int64_t>(firstFaceValue) : -1;
     this->StoreFaces(list, cell, ids, firstFaceValue);
-    firstCorner += list.GetCorners(cell).size();
     firstFaceValue += faceValues;
   }
 }

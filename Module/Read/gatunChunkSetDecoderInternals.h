@@ -144,8 +144,11 @@ struct ChunkSetDecoder::Job
     }
   }
 
-  void StoreTuples(const Wanted& array, const ArrayPart& values, std::size_t count, auto&& keyOf,
-    auto&& placeOf) const
+  // Functions are taken by value, and should hold what they need likewise, not by reference: as far
+  // as the compiler knows, what is stored could change it.
+
+  void StoreTuples(
+    const Wanted& array, const ArrayPart& values, std::size_t count, auto keyOf, auto placeOf) const
   {
     const auto& domains = *array.LastDomains;
     const auto size = SizeOf(domains.front().GetType());
@@ -156,9 +159,8 @@ struct ChunkSetDecoder::Job
       for (const auto c : output.Components)
       {
         WithWriter(domains[c],
-          [&](auto&& write)
+          [keys = values[c].data(), component, count, stride, keyOf, placeOf](auto write)
           {
-            const auto& keys = values[c];
             for (std::size_t i = 0; i < count; ++i)
             {
               write(keys[keyOf(i)], component + placeOf(i) * stride);
@@ -169,22 +171,35 @@ struct ChunkSetDecoder::Job
     }
   }
 
-  void StorePoints(
-    const PointDomain& domains, std::size_t count, auto&& keysOf, auto&& placeOf) const
+  void StorePoints(const PointDomain& domains, std::size_t count, auto keysOf, auto placeOf) const
   {
     const auto size = SizeOf(domains[0].GetType());
-    auto* to = static_cast<std::uint8_t*>(this->Target.Points);
-    for (unsigned axis = 0; axis < 3; ++axis, to += size)
+    auto* const to = static_cast<std::uint8_t*>(this->Target.Points);
+    const auto store = [&]<unsigned First, unsigned End>(
+                         std::integer_sequence<unsigned, First, End>)
     {
-      WithWriter(domains[axis],
-        [&](auto&& write)
+      WithWriter(domains[First],
+        [=](auto write)
         {
           for (std::size_t i = 0; i < count; ++i)
           {
-            write(keysOf(i)[axis], to + 3 * size * placeOf(i));
+            const auto& keys = keysOf(i);
+            auto* const point = to + 3 * size * placeOf(i);
+            for (unsigned axis = First; axis < End; ++axis)
+            {
+              write(keys[axis], point + size * axis);
+            }
           }
         });
+    };
+    if (std::all_of(domains.begin(), domains.end(), [](const Domain& d) { return d.IsPlain(); }))
+    {
+      store(std::integer_sequence<unsigned, 0, 3>()); // the axes have one type
+      return;
     }
+    store(std::integer_sequence<unsigned, 0, 1>());
+    store(std::integer_sequence<unsigned, 1, 2>());
+    store(std::integer_sequence<unsigned, 2, 3>());
   }
 };
 }

@@ -24,13 +24,14 @@ void ChunkSetDecoder::StoreBlock(const Job& job, std::size_t b) const
   const auto& target = job.Target;
   const auto store = [&](std::size_t first, std::size_t count, std::uint64_t start, bool owned)
   {
-    const auto place = [&](std::size_t i)
-    { return job.RestorePoints ? (*work.Order)[first + i] : start + i; };
+    const auto place = [order = job.RestorePoints ? work.Order.get() : nullptr, first, start](
+                         std::size_t i) { return order ? (*order)[first + i] : start + i; };
     if (job.HasMeshPoints)
     {
       job.StorePoints(
         content.Domains, count,
-        [&](std::size_t i) -> const PointKeys& { return (*work.Points)[first + i]; }, place);
+        [keys = work.Points->data() + first](std::size_t i) -> const PointKeys& { return keys[i]; },
+        place);
     }
     for (std::size_t i = 0; job.NeedsPointPlaces() && i < count; ++i)
     {
@@ -50,8 +51,8 @@ void ChunkSetDecoder::StoreBlock(const Job& job, std::size_t b) const
       if (job.Arrays[a].OfPoints)
       {
         job.StoreTuples(
-          job.Arrays[a], *work.Reached[a].Values, count, [&](std::size_t i) { return first + i; },
-          place);
+          job.Arrays[a], *work.Reached[a].Values, count,
+          [first](std::size_t i) { return first + i; }, place);
       }
     }
   };
@@ -99,7 +100,9 @@ void ChunkSetDecoder::StorePoints(const Job& job, std::size_t i, const ChunkMesh
   {
     job.StorePoints(
       content.Domains, ownIds.size(),
-      [&](std::size_t own) -> const PointKeys& { return mesh.Keys[ownIds[own]]; }, places);
+      [keys = mesh.Keys.data(), ids = ownIds.data()](std::size_t own) -> const PointKeys&
+      { return keys[ids[own]]; },
+      places);
   }
 }
 
@@ -195,8 +198,8 @@ void ChunkSetDecoder::StoreChunk(Job& job, std::size_t i, const ChunkMesh& mesh)
     if (job.Arrays[a].OfPoints)
     {
       job.StoreTuples(
-        job.Arrays[a], values, ownIds.size(), [&](std::size_t own) { return ownIds[own]; },
-        pointPlaces);
+        job.Arrays[a], values, ownIds.size(),
+        [ids = ownIds.data()](std::size_t own) { return ids[own]; }, pointPlaces);
     }
     else if (isSplit)
     {

@@ -45,9 +45,17 @@ void WithWriter(const Domain& domain, Use&& use)
   const auto type = domain.GetType();
   if (domain.GetPalette())
   {
-    const auto& palette = *domain.GetPalette();
-    use(
-      [type, &palette](Key key, std::uint8_t* to) { Domain::WritePlain(type, palette[key], to); });
+    const Key* const palette = domain.GetPalette()->data();
+    if (type == ScalarType::Float32)
+    {
+      use([palette](Key key, std::uint8_t* to)
+        { Domain::WritePlain(ScalarType::Float32, palette[key], to); });
+    }
+    else
+    {
+      use(
+        [type, palette](Key key, std::uint8_t* to) { Domain::WritePlain(type, palette[key], to); });
+    }
   }
   else if (BinaryDomain::Matches(domain))
   {

@@ -128,18 +128,6 @@ bool GetExactness(ByteReader& in)
   return isExact != 0;
 }
 
-/** Calls code(v) for each own vertex. */
-template <typename Code>
-void ForEachOwn(const GateVertices& vertices, Code&& code)
-{
-  for (std::size_t v = 0; v < vertices.Sources.size(); ++v)
-  {
-    if (IsOwn(vertices.Sources[v]))
-    {
-      code(v);
-    }
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -159,8 +147,10 @@ void PutVertexSteps(
     {
       VertexPredictor predictor(values, vertices, keys, rule.Weights);
       StepWriter steps(plain, domain.GetQuantizer(), domain.GetQuantizer().OnLattice);
-      ForEachOwn(vertices,
-        [&](std::size_t v) { predictor.Set(v, steps.Put(predictor.Predict(v), keys.Now[v])); });
+      for (const auto v : FindOwn(vertices.Sources))
+      {
+        predictor.Set(v, steps.Put(predictor.Predict(v), keys.Now[v]));
+      }
       steps.Finish(out);
     });
 }
@@ -183,10 +173,13 @@ void GetVertexSteps(
     [&](const auto& values, const auto& plain)
     {
       VertexPredictor predictor(values, vertices, keys, rule.Weights);
-      StepReader steps(in, CountOwn(vertices.Sources), plain, domain.GetQuantizer(),
-        domain.GetQuantizer().OnLattice);
-      ForEachOwn(
-        vertices, [&](std::size_t v) { predictor.Set(v, steps.Get(predictor.Predict(v))); });
+      const auto own = FindOwn(vertices.Sources);
+      StepReader steps(
+        in, own.size(), plain, domain.GetQuantizer(), domain.GetQuantizer().OnLattice);
+      for (const auto v : own)
+      {
+        predictor.Set(v, steps.Get(predictor.Predict(v)));
+      }
     });
 }
 

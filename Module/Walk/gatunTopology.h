@@ -129,19 +129,7 @@ struct Topology
   bool IsShared(Vertex v) const { return (this->Sources[v] & SharedFlag) != 0; }
 
   /** The number of each own vertex in the walk. */
-  std::vector<Vertex> FindOwnIds() const
-  {
-    std::vector<Vertex> ids;
-    ids.reserve(this->GetOwnVertices());
-    for (Vertex v = 0; v < this->Sources.size(); ++v)
-    {
-      if (!this->IsShared(v))
-      {
-        ids.push_back(v);
-      }
-    }
-    return ids;
-  }
+  std::vector<Vertex> FindOwnIds() const { return FindOwn(this->Sources); }
 };
 }
 

@@ -13,6 +13,8 @@
 #include <functional>
 #include <initializer_list>
 #include <limits>
+#include <memory>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -189,6 +191,33 @@ TEST(Domain, OfShiftedFloat32IsTheSameWithoutDispatch)
       before = key;
     }
     EXPECT_TRUE(digits == 0 || !shifted.IsValid(last + 1));
+  }
+}
+
+TEST(Domain, OfRanksIsTheSameWithoutDispatch)
+{
+  EXPECT_FALSE(RankDomain::Matches(Domain(ScalarType::Float32)));
+  std::mt19937_64 random(9);
+  for (const std::size_t size : { 1, 2, 3, 255, 256, 65536 })
+  {
+    Palette palette(size);
+    std::iota(palette.begin(), palette.end(), Key{ 77 });
+    const Domain domain(ScalarType::Float64, std::make_shared<const Palette>(palette));
+    ASSERT_TRUE(RankDomain::Matches(domain));
+    const RankDomain ranks(domain);
+    EXPECT_EQ(ranks.GetBits(), domain.GetBits());
+    EXPECT_FALSE(ranks.IsValid(size));
+    Key before = 0;
+    for (int i = 0; i < 10000; ++i)
+    {
+      const Key key = i == 0 ? 0 : i == 1 ? size - 1 : random() % size;
+      const auto number = static_cast<double>(key);
+      const double wide = std::bit_cast<double>(random());
+      ASSERT_NO_FATAL_FAILURE(ExpectSame(ranks, domain, key, before,
+        { number, number + 0.5, number - 0.5, number + 0.49999, number - 0.50001, wide, -0.0,
+          std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() }));
+      before = key;
+    }
   }
 }
 
