@@ -279,7 +279,7 @@ TEST(ChunkCache, CountsEveryByte)
   ::mallopt(M_ARENA_MAX, 1);
   for (const std::uint8_t keep : { KeepNone, KeepAll })
   {
-    const auto file = MakeFile("cache_bytes.gtn", keep, 2000);
+    const auto file = MakeFile("cache_bytes.gtn", keep, 4000);
     const auto cache = std::make_shared<ChunkCache>(file, Unlimited);
     for (const std::size_t step : { 0, 1, 4, 8, 12, 16, 20 })
     {
