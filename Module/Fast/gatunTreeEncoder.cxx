@@ -5,6 +5,7 @@
 
 #include "gatunFaceTable.h"
 #include "gatunInline.h"
+#include "gatunLanes.h"
 #include "gatunNumberStream.h"
 #include "gatunPrefetch.h"
 #include "gatunTreeSymbols.h"
@@ -14,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <utility>
 #include <vector>
@@ -72,6 +74,24 @@ constexpr auto Ranks = []
   return ranks;
 }();
 
+static_assert(Reach == 8);
+
+template <typename Number>
+Short8 Load(const Number* numbers)
+{
+  static_assert(sizeof(Number) * Reach == sizeof(Short8));
+  Short8 lanes;
+  std::memcpy(&lanes, numbers, sizeof(lanes));
+  return lanes;
+}
+
+template <typename Number>
+Short8 Splat(Number number)
+{
+  const auto lane = static_cast<std::int16_t>(number);
+  return Short8{ lane, lane, lane, lane, lane, lane, lane, lane };
+}
+
 class TreeEncoder
 {
 public:
@@ -95,7 +115,7 @@ public:
   EncodedTree Encode()
   {
     const auto count = this->Faces.Rows.size();
-    const auto& order = this->Result.TetOrder;
+    const auto& order = this->Result.TetOrder; // rows until all are known
     for (std::uint32_t head = 0; head < count; ++head)
     {
       if (head == order.size())
@@ -110,6 +130,7 @@ public:
     }
     this->Result.Tree.Sources = MakeSources(this->InputOf, this->Shared);
     this->FindFlips();
+    this->Faces.RestoreInput(this->Result.TetOrder);
     this->Write();
     return std::move(this->Result);
   }
@@ -233,26 +254,14 @@ private:
   std::uint8_t FindSymbol(std::uint32_t parent, std::uint16_t apex) const
   {
     const auto* tets = this->Apexes.data() + PaddedTets::Padding;
-    const auto* near = tets + this->Result.TetOrder.size() - Reach;
-    const auto* behind = tets + parent + 1;
-    const auto* ahead = tets + parent - Reach;
-    const auto rank = [apex](std::uint16_t found, std::int16_t of)
-    { return found == apex ? of : SymbolRanks::None; };
-    std::array<std::int16_t, Reach> ranks;
-    for (unsigned k = 0; k < Reach; ++k)
-    {
-      const auto first = rank(near[k], Ranks.Near[k]);
-      const auto second = rank(behind[k], Ranks.Behind[k]);
-      const auto third = rank(ahead[k], Ranks.Ahead[k]);
-      const auto last = second < third ? second : third;
-      ranks[k] = first < last ? first : last;
-    }
-    std::int16_t least = ranks[0];
-    for (const auto other : ranks)
-    {
-      least = other < least ? other : least;
-    }
-    return Ranks.Symbols[static_cast<std::size_t>(least)];
+    const auto wanted = Splat(apex);
+    const auto none = Splat(SymbolRanks::None);
+    const auto rank = [&](const std::uint16_t* from, const std::array<std::int16_t, Reach>& ranks)
+    { return SelectEqual(Load(from), wanted, Load(ranks.data()), none); };
+    const auto near = rank(tets + this->Result.TetOrder.size() - Reach, Ranks.Near);
+    const auto behind = rank(tets + parent + 1, Ranks.Behind);
+    const auto ahead = rank(tets + parent - Reach, Ranks.Ahead);
+    return Ranks.Symbols[static_cast<std::size_t>(Least(Min(near, Min(behind, ahead))))];
   }
 
   /** Marks the tetrahedra that have another orientation than their neighbors. */

@@ -100,9 +100,11 @@ public:
     ParallelFor(all.CountTasks(),
       [&](std::size_t task)
       {
-        for (const auto cell : all.GetTask(cells, task))
+        const auto some = all.GetTask(cells, task);
+        for (std::size_t i = 0; i < some.size(); ++i)
         {
-          this->Places[cell] = GetPlace(mesh, cell);
+          mesh.FetchPointsAhead(some, i);
+          this->Places[some[i]] = GetPlace(mesh, some[i]);
         }
       });
   }

@@ -6,6 +6,7 @@
 
 #include "gatunCellSplitter.h"
 #include "gatunMeshInput.h"
+#include "gatunPrefetch.h"
 #include "gatunTypes.h"
 
 #include <algorithm>
@@ -76,6 +77,32 @@ public:
       end += *end + 1;
     }
     return { begin, end };
+  }
+
+  /** Begins to load the point ids of one of some cells, if there is one, for a loop over them. */
+  void FetchAhead(std::span<const std::uint32_t> cells, std::size_t at) const
+  {
+    constexpr std::size_t ahead = 16;
+    if (this->IsTetrahedral() && at + ahead < cells.size())
+    {
+      const auto* const ids = static_cast<const std::uint8_t*>(this->Mesh.Connectivity);
+      Prefetch(ids + 4 * (this->Mesh.WideIds ? 8 : 4) * std::size_t{ cells[at + ahead] });
+    }
+  }
+
+  /** The same of the coordinates of a cell's points. */
+  void FetchPointsAhead(std::span<const std::uint32_t> cells, std::size_t at) const
+  {
+    constexpr std::size_t ahead = 16;
+    if (this->IsTetrahedral() && at + ahead < cells.size())
+    {
+      const auto* const coordinates = static_cast<const std::uint8_t*>(this->Mesh.Coordinates);
+      for (unsigned i = 0; i < 4; ++i)
+      {
+        Prefetch(coordinates +
+          3 * SizeOf(this->Mesh.CoordinateType) * this->GetTetId(cells[at + ahead], i));
+      }
+    }
   }
 
   /** Calls use with each point id of a cell, and with those of a polyhedron's faces again. */

@@ -7,9 +7,9 @@
 #include "gatunCellCodec.h"
 #include "gatunChunkTets.h"
 #include "gatunFloatEnvironment.h"
-#include "gatunLocalIds.h"
 #include "gatunPalette.h"
 #include "gatunParallel.h"
+#include "gatunPointOrder.h"
 
 #include <algorithm>
 #include <string>
@@ -315,20 +315,42 @@ CellList MeshSection::MakeCells(
 }
 
 //------------------------------------------------------------------------------
-template <typename NumberOf>
+/** The tetrahedra of a chunk with the numbers of its points. */
 std::vector<std::array<std::uint32_t, 4>> MeshSection::MakeTets(
-  const WriterPart& part, std::size_t chunk, NumberOf&& numberOf) const
+  const WriterPart& part, std::size_t chunk, const LocalIds& shared) const
 {
   const auto cells = part.GetCells(chunk);
+  const auto* const own = this->OwnNumbers.data();
   std::vector<std::array<std::uint32_t, 4>> tets(cells.size());
+  // Which points are shared is random, so that they are collected without branches.
+  std::array<std::uint32_t*, 1024> found;
+  std::size_t count = 0;
+  const auto number = [&]
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      *found[i] = shared[*found[i]];
+    }
+    count = 0;
+  };
   for (std::size_t t = 0; t < tets.size(); ++t)
   {
+    part.Mesh.FetchAhead(cells, t);
     const auto begin = part.Mesh.GetBegin(cells[t]);
     for (unsigned i = 0; i < 4; ++i)
     {
-      tets[t][i] = numberOf(static_cast<std::uint32_t>(part.Mesh.GetId(begin + i)));
+      const auto point = static_cast<std::uint32_t>(part.Mesh.GetId(begin + i));
+      const bool isShared = own[point] == NotOwn;
+      tets[t][i] = isShared ? point : own[point];
+      found[count] = &tets[t][i];
+      count += isShared;
+    }
+    if (count + 4 > found.size())
+    {
+      number();
     }
   }
+  number();
   return tets;
 }
 
@@ -338,7 +360,7 @@ MeshSection::LocalMesh MeshSection::MakeLocalMesh(const WriterPart& part, std::s
 {
   LocalMesh local;
   local.Shared = part.GetSharedPoints(this->State.Table, chunk);
-  local.Own = part.Layout.OwnPoints[chunk];
+  local.Own = SortAlongCurve(part.Mesh, part.Layout.OwnPoints[chunk]);
   LocalIds shared(local.Shared.size());
   for (const auto p : local.Shared)
   {
@@ -355,7 +377,7 @@ MeshSection::LocalMesh MeshSection::MakeLocalMesh(const WriterPart& part, std::s
   const auto& sizes = this->State.Table.Chunks[part.Place.FirstChunk + chunk].Sizes;
   if (sizes.IsTetrahedral)
   {
-    local.Tets = this->MakeTets(part, chunk, numberOf);
+    local.Tets = this->MakeTets(part, chunk, shared);
   }
   else
   {
