@@ -13,6 +13,7 @@
 #include <limits>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace gatun
@@ -46,7 +47,7 @@ public:
     , Places(tets.size())
   {
     const auto starts = this->SortInputs(tets);
-    if (starts.Rows.size() <= std::size_t{ 1 } + std::numeric_limits<std::uint16_t>::max())
+    if (starts.size() <= std::size_t{ 1 } + std::numeric_limits<std::uint16_t>::max())
     {
       this->FindOver<std::uint32_t>(tets, starts);
     }
@@ -87,13 +88,6 @@ private:
     std::uint32_t Id;
   };
 
-  /** For each vertex, and behind the last one. */
-  struct Starts
-  {
-    std::vector<std::uint32_t> Rows;  // the first one of which it is the lowest corner
-    std::vector<std::uint32_t> Faces; // room for those whose row has only one corner below it
-  };
-
   std::uint32_t& GetOver(std::uint32_t face) { return this->Rows[face / 4].Over[face % 4]; }
 
   /** Four times the corners, ascending, plus their places in the row. */
@@ -102,7 +96,7 @@ private:
     const auto sort = [](std::uint32_t& l, std::uint32_t& r)
     {
       const auto low = std::min(l, r);
-      r = std::max(l, r);
+      r = l ^ r ^ low; // without a branch
       l = low;
     };
     std::array<std::uint32_t, 4> keys{ t[0] << 2, t[1] << 2 | 1, t[2] << 2 | 2, t[3] << 2 | 3 };
@@ -114,32 +108,28 @@ private:
     return keys;
   }
 
-  Starts SortInputs(std::span<const Tet> tets)
+  /** Returns the first row of which each vertex is the lowest corner, and the end. */
+  std::vector<std::uint32_t> SortInputs(std::span<const Tet> tets)
   {
     std::uint32_t last = 0;
     for (const auto& t : tets)
     {
       last = std::max({ last, t[0], t[1], t[2], t[3] });
     }
-    Starts starts;
-    starts.Rows.assign(std::size_t{ last } + 2, 0);
-    starts.Faces.assign(std::size_t{ last } + 2, 0);
+    const auto lowestOf = [](const Tet& t)
+    { return std::min(std::min(t[0], t[1]), std::min(t[2], t[3])); };
+    std::vector<std::uint32_t> starts(std::size_t{ last } + 2, 0);
     for (const auto& t : tets)
     {
-      const auto [a, b] = std::minmax(t[0], t[1]);
-      const auto [c, d] = std::minmax(t[2], t[3]);
-      ++starts.Rows[std::min(a, c) + std::size_t{ 1 }];
-      ++starts.Faces[std::min({ std::max(a, c), b, d }) + std::size_t{ 1 }];
+      ++starts[lowestOf(t) + std::size_t{ 1 }];
     }
-    std::partial_sum(starts.Rows.begin(), starts.Rows.end(), starts.Rows.begin());
-    std::partial_sum(starts.Faces.begin(), starts.Faces.end(), starts.Faces.begin());
-    auto next = starts.Rows;
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    auto next = starts;
     for (std::uint32_t t = 0; t < tets.size(); ++t)
     {
-      const auto& tet = tets[t];
-      const auto place = next[std::min(std::min(tet[0], tet[1]), std::min(tet[2], tet[3]))]++;
-      this->Inputs[place] = t;
-      this->Places[t] = place;
+      const auto row = next[lowestOf(tets[t])]++;
+      this->Inputs[row] = t;
+      this->Places[t] = row;
     }
     return starts;
   }
@@ -147,19 +137,19 @@ private:
   /** Makes the rows and compares faces with the same lowest corner. Those of a row with a vertex
    * twice are left out. */
   template <typename PairT>
-  void FindOver(std::span<const Tet> tets, const Starts& starts)
+  void FindOver(std::span<const Tet> tets, std::span<const std::uint32_t> starts)
   {
-    std::vector<Face<PairT>> ofOthers(this->Rows.size());
-    auto next = starts.Faces;
+    // The last face of earlier rows with this lowest corner, or None. Each has the one before.
+    std::vector<std::uint32_t> lasts(starts.size(), None);
     std::vector<Face<PairT>> bucket; // numbers of faces in it begin at 1
-    for (std::size_t v = 0; v + 1 < starts.Rows.size(); ++v)
+    for (std::size_t v = 0; v + 1 < starts.size(); ++v)
     {
-      const auto* const others = ofOthers.data() + starts.Faces[v];
-      const std::size_t count = next[v] - starts.Faces[v];
-      const auto rows = starts.Rows[v + 1] - starts.Rows[v];
-      bucket.resize(std::max(bucket.size(), 1 + count + std::size_t{ 3 } * rows));
-      auto* end = std::copy(others, others + count, bucket.data() + 1);
-      for (auto row = starts.Rows[v]; row < starts.Rows[v + 1]; ++row)
+      std::size_t size = 0;
+      const auto put = [&](std::uint32_t middle, std::uint32_t high, std::uint32_t id) {
+        bucket[++size] = { static_cast<PairT>(PairT{ middle } << 4 * sizeof(PairT) | high), id };
+      };
+      bucket.resize(std::max(bucket.size(), 1 + std::size_t{ 3 } * (starts[v + 1] - starts[v])));
+      for (auto row = starts[v]; row < starts[v + 1]; ++row)
       {
         if (row + Ahead < tets.size())
         {
@@ -172,18 +162,24 @@ private:
         {
           continue;
         }
-        const auto put = [row](Face<PairT>& face, auto first, auto second, auto opposite)
-        {
-          face = { static_cast<PairT>(PairT{ first >> 2 } << 4 * sizeof(PairT) | second >> 2),
-            4 * row + (opposite & 3) };
-        };
-        put(end[0], b, c, d);
-        put(end[1], b, d, c);
-        put(end[2], c, d, b);
-        end += 3;
-        put(ofOthers[next[b >> 2]++], c, d, a);
+        put(b >> 2, c >> 2, 4 * row + (d & 3));
+        put(b >> 2, d >> 2, 4 * row + (c & 3));
+        put(c >> 2, d >> 2, 4 * row + (b & 3));
+        this->Rows[row].Over[a & 3] = std::exchange(lasts[b >> 2], 4 * row + (a & 3));
       }
-      const auto size = static_cast<std::size_t>(end - bucket.data()) - 1;
+      for (auto face = lasts[v]; face != None;)
+      {
+        // The corner opposite to the face is lower.
+        const auto& [a, b, c, d] = this->Rows[face / 4].Corners;
+        const auto low = static_cast<std::uint32_t>(v) ^ this->Rows[face / 4].Corners[face % 4];
+        const auto high = std::max({ a, b, c, d });
+        if (size + 2 > bucket.size())
+        {
+          bucket.resize(2 * bucket.size() + 2);
+        }
+        put(a ^ b ^ c ^ d ^ low ^ high, high, face);
+        face = std::exchange(this->GetOver(face), None);
+      }
       if (size <= SmallBucket)
       {
         this->HashAndCompare(bucket.data(), size);
@@ -321,6 +317,13 @@ public:
       ++this->First;
     }
     return this->Faces.Places[this->First];
+  }
+
+  /** Whether Find may find a face. */
+  bool MayBeUnvisited(std::uint32_t over) const
+  {
+    const auto row = over / 4;
+    return row >= this->Visited.size() ? over != FaceTable::None : this->Visited[row] == 0;
   }
 
   /** The first unvisited face with the same corners as one of FaceTable::Row, or None. */

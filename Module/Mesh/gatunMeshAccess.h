@@ -79,29 +79,22 @@ public:
     return { begin, end };
   }
 
-  /** Begins to load the point ids of one of some cells, if there is one, for a loop over them. */
+  /** Begins to load the point ids of one of some cells, for a loop over them. */
   void FetchAhead(std::span<const std::uint32_t> cells, std::size_t at) const
   {
-    constexpr std::size_t ahead = 16;
-    if (this->IsTetrahedral() && at + ahead < cells.size())
+    if (this->IsTetrahedral() && at + Ahead < cells.size())
     {
-      const auto* const ids = static_cast<const std::uint8_t*>(this->Mesh.Connectivity);
-      Prefetch(ids + 4 * (this->Mesh.WideIds ? 8 : 4) * std::size_t{ cells[at + ahead] });
+      Fetch(this->Mesh.Connectivity, cells[at + Ahead], 4 * (this->Mesh.WideIds ? 8 : 4));
     }
   }
 
   /** The same of the coordinates of a cell's points. */
   void FetchPointsAhead(std::span<const std::uint32_t> cells, std::size_t at) const
   {
-    constexpr std::size_t ahead = 16;
-    if (this->IsTetrahedral() && at + ahead < cells.size())
+    for (unsigned i = 0; i < 4 && this->IsTetrahedral() && at + Ahead < cells.size(); ++i)
     {
-      const auto* const coordinates = static_cast<const std::uint8_t*>(this->Mesh.Coordinates);
-      for (unsigned i = 0; i < 4; ++i)
-      {
-        Prefetch(coordinates +
-          3 * SizeOf(this->Mesh.CoordinateType) * this->GetTetId(cells[at + ahead], i));
-      }
+      Fetch(this->Mesh.Coordinates, this->GetTetId(cells[at + Ahead], i),
+        3 * SizeOf(this->Mesh.CoordinateType));
     }
   }
 
@@ -111,10 +104,10 @@ public:
   {
     if (this->IsTetrahedral())
     {
-      for (unsigned i = 0; i < 4; ++i)
-      {
-        use(this->GetTetId(cell, i));
-      }
+      use(this->GetTetId(cell, 0));
+      use(this->GetTetId(cell, 1));
+      use(this->GetTetId(cell, 2));
+      use(this->GetTetId(cell, 3));
       return;
     }
     const std::uint64_t end = this->GetEnd(cell);
@@ -169,6 +162,16 @@ public:
   const MeshInput& GetMesh() const { return this->Mesh; }
 
 private:
+  static constexpr std::size_t Ahead = 16; // cells are fetched by so many
+
+  /** Begins to load an item of an array, which may be in two lines of the cache. */
+  static void Fetch(const void* items, std::uint64_t item, std::size_t size)
+  {
+    const auto* const begin = static_cast<const std::uint8_t*>(items) + size * item;
+    Prefetch(begin);
+    Prefetch(begin + size - 1);
+  }
+
   std::uint64_t Read(const void* ids, std::uint64_t position) const
   {
     return this->Mesh.WideIds ? static_cast<const std::uint64_t*>(ids)[position]

@@ -140,6 +140,8 @@ std::vector<std::vector<std::uint32_t>> FindUsers(
       };
       // Which points are not yet noted is random, so that they are collected without branches.
       std::array<std::uint32_t, 1024> found;
+      const std::function<void(std::size_t)> noteFound = [&](std::size_t count)
+      { std::for_each(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), note); };
       std::size_t count = 0;
       const auto add = [&](std::uint64_t point)
       {
@@ -147,7 +149,7 @@ std::vector<std::vector<std::uint32_t>> FindUsers(
         count += (users[point].load(std::memory_order_relaxed) & ~UsedByOthers) != self;
         if (count == found.size())
         {
-          std::for_each(found.begin(), found.end(), note);
+          noteFound(count);
           count = 0;
         }
       };
@@ -157,7 +159,7 @@ std::vector<std::vector<std::uint32_t>> FindUsers(
         mesh.FetchAhead(cells, i);
         mesh.ForEachPoint(cells[i], add);
       }
-      std::for_each(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), note);
+      noteFound(count);
       shared[c] = others.GetPoints();
     });
   return shared;

@@ -56,8 +56,7 @@ std::vector<std::uint32_t> SortAlongCurve(
     unsigned code = 0;
     for (unsigned axis = 0; axis < 3; ++axis)
     {
-      const double place =
-        (mesh.GetCoordinate(points[i], axis) - box[axis].Min) * scales[axis];
+      const double place = (mesh.GetCoordinate(points[i], axis) - box[axis].Min) * scales[axis];
       // NaN counts as 0.
       code |= unsigned{ Spread[place > 0 ? static_cast<unsigned>(std::min(place, cells - 1)) : 0] }
         << axis;

@@ -12,7 +12,8 @@
 
 namespace gatun
 {
-/** The points along a curve on which near points are near, but for those very near to each other. */
+/** The points along a curve on which near points are near, but for those very near to each other.
+ */
 std::vector<std::uint32_t> SortAlongCurve(
   const MeshAccess& mesh, std::span<const std::uint32_t> points);
 }

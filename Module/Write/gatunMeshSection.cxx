@@ -336,15 +336,16 @@ std::vector<std::array<std::uint32_t, 4>> MeshSection::MakeTets(
   for (std::size_t t = 0; t < tets.size(); ++t)
   {
     part.Mesh.FetchAhead(cells, t);
-    const auto begin = part.Mesh.GetBegin(cells[t]);
-    for (unsigned i = 0; i < 4; ++i)
-    {
-      const auto point = static_cast<std::uint32_t>(part.Mesh.GetId(begin + i));
-      const bool isShared = own[point] == NotOwn;
-      tets[t][i] = isShared ? point : own[point];
-      found[count] = &tets[t][i];
-      count += isShared;
-    }
+    auto* corner = tets[t].data();
+    part.Mesh.ForEachPoint(cells[t],
+      [&](std::uint64_t id)
+      {
+        const auto point = static_cast<std::uint32_t>(id);
+        const bool isShared = own[point] == NotOwn;
+        *corner = isShared ? point : own[point];
+        found[count] = corner++;
+        count += isShared;
+      });
     if (count + 4 > found.size())
     {
       number();
