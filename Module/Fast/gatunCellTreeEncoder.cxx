@@ -231,8 +231,8 @@ private:
 
   std::uint32_t FindPattern(const Ids& values)
   {
-    const auto [found, isNew] =
-      this->PatternOf.emplace(values, static_cast<std::uint32_t>(this->Templates.Patterns.size()));
+    const auto [found, isNew] = this->PatternOf.try_emplace(
+      values, static_cast<std::uint32_t>(this->Templates.Patterns.size()));
     if (isNew)
     {
       this->Templates.Patterns.emplace_back(values);
@@ -243,7 +243,7 @@ private:
   std::uint32_t FindKey(const TemplateKey& key)
   {
     const auto [found, isNew] =
-      this->KeyOf.emplace(key, static_cast<std::uint32_t>(this->Keys.size()));
+      this->KeyOf.try_emplace(key, static_cast<std::uint32_t>(this->Keys.size()));
     if (isNew)
     {
       this->Keys.push_back(key);

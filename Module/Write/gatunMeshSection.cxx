@@ -482,7 +482,7 @@ MeshSection::ChunkStreams MeshSection::EncodeChunk(WriterPart& part, std::size_t
       this->State.Options.Coding);
     take(encoded);
     cellOrder = std::move(encoded.CellOrder);
-    info.Tets = SplitCells(state.Mesh).Tets.size();
+    info.Tets = CountTets(state.Mesh);
     streams.Corners = std::move(encoded.Corners);
   }
   const auto& sources = state.Mesh.Walk.Sources;
