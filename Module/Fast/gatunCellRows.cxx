@@ -44,7 +44,7 @@ public:
       }
       const auto cell = this->Order[head];
       neighbors.clear();
-      this->EachNeighbor(cell,
+      this->EachNeighbor(cell, {},
         [&](std::uint32_t other)
         {
           neighbors.push_back(other);
@@ -84,7 +84,7 @@ private:
   {
     std::uint32_t found = None;
     const auto touched = this->GetCorners(before);
-    this->EachNeighbor(cell,
+    this->EachNeighbor(cell, touched,
       [&](std::uint32_t other)
       {
         const auto corners = this->GetCorners(other);
@@ -101,13 +101,18 @@ private:
     return CellUsers::GetFirst(this->Cells.GetCorners(cell));
   }
 
-  /** Calls code(neighbor) for those that are not in the order yet, until it returns false. */
+  /** Calls code(neighbor) for those that are not in the order yet, until it returns false. Those
+   * that have some of the corners without may be left out. */
   template <typename Code>
-  void EachNeighbor(std::uint32_t cell, Code&& code)
+  void EachNeighbor(std::uint32_t cell, std::span<const std::uint32_t> without, Code&& code)
   {
     this->Near.clear();
     for (const auto corner : this->GetCorners(cell))
     {
+      if (std::find(without.begin(), without.end(), corner) != without.end())
+      {
+        continue;
+      }
       for (const auto other : this->Users.Get(corner))
       {
         auto& state = this->States[other];
