@@ -6,6 +6,7 @@
 #include "gatunCellShapes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gatun
 {
@@ -17,13 +18,13 @@ public:
   RowFinder(const CellList& cells, const CellUsers& users)
     : Cells(cells)
     , Users(users)
-    , IsDone(cells.GetNumber(), 0)
-    , Common(cells.GetNumber(), 0)
-    , Sides(cells.GetNumber())
+    , States(cells.GetNumber())
   {
-    std::transform(cells.Types.begin(), cells.Types.end(), this->Sides.begin(),
-      [](std::uint8_t type)
-      { return static_cast<std::uint8_t>(std::max(1, GetCellKind(type).Dimension)); });
+    for (std::size_t c = 0; c < this->States.size(); ++c)
+    {
+      this->States[c].Sides =
+        static_cast<std::uint8_t>(std::max(1, GetCellKind(cells.Types[c]).Dimension));
+    }
     this->Order.reserve(cells.GetNumber());
   }
 
@@ -31,11 +32,11 @@ public:
   {
     std::uint32_t first = 0;
     std::vector<std::uint32_t> neighbors;
-    for (std::size_t head = 0; this->Order.size() < this->IsDone.size(); ++head)
+    for (std::size_t head = 0; this->Order.size() < this->States.size(); ++head)
     {
       if (head == this->Order.size())
       {
-        while (this->IsDone[first] != 0)
+        while (this->States[first].IsDone)
         {
           ++first;
         }
@@ -43,7 +44,7 @@ public:
       }
       const auto cell = this->Order[head];
       neighbors.clear();
-      this->EachNeighbor(cell,
+      this->EachNeighbor(cell, {},
         [&](std::uint32_t other)
         {
           neighbors.push_back(other);
@@ -62,14 +63,14 @@ private:
 
   void Add(std::uint32_t cell)
   {
-    this->IsDone[cell] = 1;
+    this->States[cell].IsDone = true;
     this->Order.push_back(cell);
   }
 
   /** Adds the row of cells from one to another one and further on. */
   void AddRow(std::uint32_t cell, std::uint32_t other)
   {
-    while (other != None && this->IsDone[other] == 0)
+    while (other != None && !this->States[other].IsDone)
     {
       this->Add(other);
       const auto next = this->FindOpposite(cell, other);
@@ -83,7 +84,7 @@ private:
   {
     std::uint32_t found = None;
     const auto touched = this->GetCorners(before);
-    this->EachNeighbor(cell,
+    this->EachNeighbor(cell, touched,
       [&](std::uint32_t other)
       {
         const auto corners = this->GetCorners(other);
@@ -100,16 +101,22 @@ private:
     return CellUsers::GetFirst(this->Cells.GetCorners(cell));
   }
 
-  /** Calls code(neighbor) for those that are not in the order yet, until it returns false. */
+  /** Calls code(neighbor) for those that are not in the order yet, until it returns false. Those
+   * that have some of the corners without may be left out. */
   template <typename Code>
-  void EachNeighbor(std::uint32_t cell, Code&& code)
+  void EachNeighbor(std::uint32_t cell, std::span<const std::uint32_t> without, Code&& code)
   {
     this->Near.clear();
     for (const auto corner : this->GetCorners(cell))
     {
+      if (std::find(without.begin(), without.end(), corner) != without.end())
+      {
+        continue;
+      }
       for (const auto other : this->Users.Get(corner))
       {
-        if (this->IsDone[other] == 0 && this->Common[other]++ == 0)
+        auto& state = this->States[other];
+        if (!state.IsDone && state.Common++ == 0)
         {
           this->Near.push_back(other);
         }
@@ -118,19 +125,23 @@ private:
     bool goesOn = true;
     for (const auto other : this->Near)
     {
-      const auto common = this->Common[other];
-      this->Common[other] = 0;
+      const auto common = std::exchange(this->States[other].Common, 0);
       goesOn = goesOn &&
-        (other == cell || common < std::max(this->Sides[cell], this->Sides[other]) || code(other));
+        (other == cell || common < std::max(this->States[cell].Sides, this->States[other].Sides) ||
+          code(other));
     }
   }
 
   const CellList& Cells;
   const CellUsers& Users;
   std::vector<std::uint32_t> Order;
-  std::vector<char> IsDone;
-  std::vector<std::uint32_t> Common; // corners with the cell that is looked at
-  std::vector<std::uint8_t> Sides;   // the corners that neighbors must have in common
+  struct State
+  {
+    std::uint32_t Common = 0; // corners with the cell that is looked at
+    std::uint8_t Sides = 0;   // the corners that neighbors must have in common
+    bool IsDone = false;
+  };
+  std::vector<State> States; // of cells
   std::vector<std::uint32_t> Near;
 };
 }

@@ -4,6 +4,7 @@
 #include "gatunCellSources.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gatun
 {
@@ -13,8 +14,7 @@ SourceFinder::SourceFinder(std::size_t count, const CodedCells& cells, const Cel
   : Coded(cells)
   , Users(users)
   , Numbers(numbers)
-  , Ranks(count, CodedCells::None)
-  , Common(count, 0)
+  , States(count)
 {
 }
 
@@ -33,29 +33,31 @@ unsigned SourceFinder::Find(
   {
     used = this->Cover(open, expected[s], reach) > 0 ? s + 1 : used;
   }
-  const auto openOfExpected = open.size();
-  this->FindNearCells(cell, points);
-  open = this->Known;
-  unsigned count = 0;
-  SourceCells best{};
-  while (count < best.size() && !open.empty())
+  if (const auto openOfExpected = open.size(); openOfExpected > 0)
   {
-    const auto source = this->FindBest(open, expected[count], reach);
-    if (source == CodedCells::None)
+    this->FindNearCells(cell, points);
+    open = this->Known;
+    unsigned count = 0;
+    SourceCells best{};
+    while (count < best.size() && !open.empty())
     {
-      break;
+      const auto source = this->FindBest(open, expected[count], reach);
+      if (source == CodedCells::None)
+      {
+        break;
+      }
+      this->Cover(open, source, reach);
+      best[count++] = source;
     }
-    this->Cover(open, source, reach);
-    best[count++] = source;
-  }
-  if (openOfExpected > open.size())
-  {
-    std::copy_n(best.begin(), count, this->From.begin());
-    used = count;
+    if (openOfExpected > open.size())
+    {
+      std::copy_n(best.begin(), count, this->From.begin());
+      used = count;
+    }
   }
   this->AreKnown = std::equal(this->From.begin(), this->From.begin() + used, expected.begin());
   this->Last = this->From;
-  this->Ranks[cell] = static_cast<std::uint32_t>(this->Coded.Items.size());
+  this->States[cell].Rank = static_cast<std::uint32_t>(this->Coded.Items.size());
   return used;
 }
 
@@ -76,38 +78,59 @@ void SourceFinder::FindKnown(std::span<const std::uint32_t> points)
 }
 
 //------------------------------------------------------------------------------
-/** Collects coded cells around a cell: those with the most corners in common first, of these the
- * last ones. */
+/** Collects coded cells around a cell. */
 void SourceFinder::FindNearCells(std::uint32_t cell, std::span<const std::uint32_t> points)
 {
-  this->Near.clear();
-  Ids cells;
+  this->Others.clear();
   for (const auto point : CellUsers::GetFirst(points))
   {
     for (const auto other : this->Users.Get(point))
     {
-      if (other != cell && this->Ranks[other] != CodedCells::None && this->Common[other]++ == 0)
+      auto& state = this->States[other];
+      if (state.Rank != CodedCells::None && other != cell && state.Common++ == 0)
       {
-        cells.push_back(other);
+        this->Others.push_back(other);
       }
     }
   }
-  for (const auto other : cells)
+  this->Near.clear();
+  this->Sorted = 0;
+  for (const auto other : this->Others)
   {
-    this->Near.emplace_back(std::exchange(this->Common[other], 0), this->Ranks[other]);
+    auto& state = this->States[other];
+    this->Near.push_back({ std::exchange(state.Common, 0), state.Rank });
   }
-  std::sort(this->Near.rbegin(), this->Near.rend());
+}
+
+//------------------------------------------------------------------------------
+/** Sorts those of the near cells that have the most corners in common of those that are not sorted:
+ * the last ones first. Few have many, and the others are rarely looked at. */
+void SourceFinder::SortMore()
+{
+  const auto begin = this->Near.begin() + static_cast<std::ptrdiff_t>(this->Sorted);
+  const auto most = std::max_element(begin, this->Near.end(),
+    [](const NearCell& l, const NearCell& r) {
+      return l.Common < r.Common;
+    })->Common;
+  const auto end = std::partition(
+    begin, this->Near.end(), [most](const NearCell& near) { return near.Common == most; });
+  std::sort(begin, end, [](const NearCell& l, const NearCell& r) { return l.Rank > r.Rank; });
+  this->Sorted = static_cast<std::size_t>(end - this->Near.begin());
 }
 
 //------------------------------------------------------------------------------
 /** The cell that has most of the open vertices. */
-std::uint32_t SourceFinder::FindBest(
-  const Ids& open, std::uint32_t expected, std::size_t reach) const
+std::uint32_t SourceFinder::FindBest(const Ids& open, std::uint32_t expected, std::size_t reach)
 {
   std::uint32_t best = CodedCells::None;
   std::size_t most = 0;
-  for (const auto& [common, source] : this->Near)
+  for (std::size_t i = 0; i < this->Near.size(); ++i)
   {
+    if (i == this->Sorted)
+    {
+      this->SortMore();
+    }
+    const auto& [common, source] = this->Near[i];
     if (common < most || most == open.size())
     {
       break;

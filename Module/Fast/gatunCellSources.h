@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace gatun
@@ -36,18 +35,30 @@ private:
 
   void FindKnown(std::span<const std::uint32_t> points);
   void FindNearCells(std::uint32_t cell, std::span<const std::uint32_t> points);
-  std::uint32_t FindBest(const Ids& open, std::uint32_t expected, std::size_t reach) const;
+  std::uint32_t FindBest(const Ids& open, std::uint32_t expected, std::size_t reach);
+  void SortMore();
   bool IsCovered(std::uint32_t vertex, std::uint32_t source, std::size_t reach) const;
   std::size_t Cover(Ids& open, std::uint32_t source, std::size_t reach) const;
 
   const CodedCells& Coded;
   const CellUsers& Users;
   const std::vector<std::uint32_t>& Numbers;
-  std::vector<std::uint32_t> Ranks;  // of the input's cells
-  std::vector<std::uint32_t> Common; // corners with the cell that is looked at
+  struct State
+  {
+    std::uint32_t Rank = CodedCells::None;
+    std::uint32_t Common = 0; // corners with the cell that is looked at
+  };
+  std::vector<State> States; // of the input's cells
   SourceCells Last{ CodedCells::None, CodedCells::None, CodedCells::None };
-  Ids Known;                                                 // vertices of the cell
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> Near; // common corners and cells
+  Ids Known;              // vertices of the cell
+  Ids Others;             // the input's cells around it
+  std::size_t Sorted = 0; // of the following
+  struct NearCell
+  {
+    std::uint32_t Common; // corners
+    std::uint32_t Rank;
+  };
+  std::vector<NearCell> Near;
 };
 }
 

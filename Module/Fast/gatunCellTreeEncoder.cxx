@@ -117,10 +117,10 @@ private:
     }
     KeyChoice keys;
     SetList(key, points.size(), 0);
-    keys.List = this->FindKey(key);
+    keys.List = this->FindKey(key, this->LastKeys.List);
     this->SetHead(key, points.first(head), sources);
     SetList(key, points.size(), head);
-    keys.WithHead = this->FindKey(key);
+    keys.WithHead = this->FindKey(key, this->LastKeys.WithHead);
     this->KeysOf.push_back(keys);
     for (const auto point : points)
     {
@@ -231,8 +231,8 @@ private:
 
   std::uint32_t FindPattern(const Ids& values)
   {
-    const auto [found, isNew] =
-      this->PatternOf.emplace(values, static_cast<std::uint32_t>(this->Templates.Patterns.size()));
+    const auto [found, isNew] = this->PatternOf.try_emplace(
+      values, static_cast<std::uint32_t>(this->Templates.Patterns.size()));
     if (isNew)
     {
       this->Templates.Patterns.emplace_back(values);
@@ -240,15 +240,21 @@ private:
     return found->second;
   }
 
-  std::uint32_t FindKey(const TemplateKey& key)
+  /** last: the one found before, which is often the same. */
+  std::uint32_t FindKey(const TemplateKey& key, std::uint32_t& last)
   {
+    if (last < this->Keys.size() && this->Keys[last] == key)
+    {
+      return last;
+    }
     const auto [found, isNew] =
-      this->KeyOf.emplace(key, static_cast<std::uint32_t>(this->Keys.size()));
+      this->KeyOf.try_emplace(key, static_cast<std::uint32_t>(this->Keys.size()));
     if (isNew)
     {
       this->Keys.push_back(key);
     }
-    return found->second;
+    last = found->second;
+    return last;
   }
 
   //----------------------------------------------------------------------------
@@ -499,6 +505,7 @@ private:
 
   std::map<TemplateKey, std::uint32_t> KeyOf;
   std::vector<TemplateKey> Keys;
+  KeyChoice LastKeys;
   std::vector<KeyChoice> KeysOf; // of cells
   std::map<Ids, std::uint32_t> PatternOf;
   std::vector<Ids> Samples; // the cells of each template

@@ -99,41 +99,44 @@ public:
   bool IsClosed = false;
 
   /** Walks over the faces, from the one of a side on. meet(point) for each new point returns
-   * whether to go on. Returns the pattern, empty if not all faces are reached. */
+   * whether to go on. Sets the pattern, which is empty if not all faces are reached. */
   template <typename Meet>
-  Ids Walk(std::uint32_t start, Meet&& meet) const
+  void Walk(std::uint32_t start, Ids& pattern, Meet&& meet)
   {
-    Ids pattern;
-    std::vector<char> isMet(this->FaceCount, 0);
-    Ids firsts{ start };
-    isMet[this->Faces[start]] = 1;
-    Ids labels(this->Points.size(), None); // of the places of points
+    pattern.clear();
+    this->IsMet.assign(this->FaceCount, 0);
+    this->Firsts.assign(1, start);
+    this->IsMet[this->Faces[start]] = 1;
+    this->Labels.assign(this->Points.size(), None);
     std::uint32_t met = 0;
-    for (std::size_t head = 0; head < firsts.size(); ++head)
+    for (std::size_t head = 0; head < this->Firsts.size(); ++head)
     {
-      auto side = firsts[head];
+      auto side = this->Firsts[head];
       pattern.push_back(this->Sizes[this->Faces[side]]);
       for (auto left = pattern.back(); left > 0; --left, side = this->Next[side])
       {
-        auto& label = labels[this->Places[side]];
+        auto& label = this->Labels[this->Places[side]];
         if (label == None)
         {
           label = met++;
           if (!meet(this->Points[side]))
           {
-            return {};
+            pattern.clear();
+            return;
           }
         }
         pattern.push_back(label);
         const auto twin = this->Twins[side];
-        if (isMet[this->Faces[twin]]++ == 0)
+        if (std::exchange(this->IsMet[this->Faces[twin]], 1) == 0)
         {
-          firsts.push_back(twin);
+          this->Firsts.push_back(twin);
         }
-        isMet[this->Faces[twin]] = 1;
       }
     }
-    return firsts.size() == this->FaceCount ? pattern : Ids{};
+    if (this->Firsts.size() != this->FaceCount)
+    {
+      pattern.clear();
+    }
   }
 
   std::size_t GetNumberOfSides() const { return this->Points.size(); }
@@ -176,6 +179,11 @@ private:
   Ids Places; // the first side with the same point
   Ids Sizes;  // of faces
   std::uint32_t FaceCount = 0;
+
+  // Of a walk.
+  std::vector<char> IsMet; // by face
+  Ids Firsts;              // the first side of each face
+  Ids Labels;              // of the places of points
 };
 
 /** Orders a closed surface: of all walks the one that meets new points last, of those the one with
@@ -183,18 +191,20 @@ private:
 bool OrderClosed(std::span<const std::uint32_t> faces,
   const std::function<bool(std::uint32_t)>& isNew, OrderedFaces& best)
 {
-  const ClosedSurface surface(faces);
+  ClosedSurface surface(faces);
   if (!surface.IsClosed)
   {
     return false;
   }
   std::vector<char> leastNews;
+  OrderedFaces other;
+  std::vector<char> news;
   for (std::uint32_t side = 0; side < surface.GetNumberOfSides(); ++side)
   {
-    OrderedFaces other;
-    std::vector<char> news;
+    other.Points.clear();
+    news.clear();
     bool isBehind = false; // whether it is better already
-    other.Pattern = surface.Walk(side,
+    surface.Walk(side, other.Pattern,
       [&](std::uint32_t point)
       {
         other.Points.push_back(point);
@@ -210,8 +220,8 @@ bool OrderClosed(std::span<const std::uint32_t> faces,
     if (!other.Pattern.empty() &&
       (best.Pattern.empty() || isBehind || other.Pattern < best.Pattern))
     {
-      best = std::move(other);
-      leastNews = std::move(news);
+      std::swap(best, other);
+      std::swap(leastNews, news);
     }
   }
   return !best.Pattern.empty();

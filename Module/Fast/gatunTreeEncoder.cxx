@@ -5,6 +5,7 @@
 
 #include "gatunFaceTable.h"
 #include "gatunInline.h"
+#include "gatunLanes.h"
 #include "gatunNumberStream.h"
 #include "gatunPrefetch.h"
 #include "gatunTreeSymbols.h"
@@ -12,8 +13,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <utility>
 #include <vector>
@@ -25,9 +28,8 @@ namespace
 using namespace TreeSymbols;
 using InputTet = std::array<std::uint32_t, 4>;
 
-/** The numbers of tetrahedra by which the encoder fetches neighbors and rows ahead. */
-constexpr std::size_t NeighborsAhead = 8;
-constexpr std::size_t RowsAhead = 16;
+/** The number of tetrahedra by which the encoder fetches neighbors ahead. */
+constexpr std::size_t NeighborsAhead = 4;
 
 /** No apex has this number. */
 constexpr std::uint16_t NoApex = 0xffff;
@@ -72,6 +74,24 @@ constexpr auto Ranks = []
   return ranks;
 }();
 
+static_assert(Reach == 8);
+
+template <typename Number>
+Short8 Load(const Number* numbers)
+{
+  static_assert(sizeof(Number) * Reach == sizeof(Short8));
+  Short8 lanes;
+  std::memcpy(&lanes, numbers, sizeof(lanes));
+  return lanes;
+}
+
+template <typename Number>
+Short8 Splat(Number number)
+{
+  const auto lane = static_cast<std::int16_t>(number);
+  return Short8{ lane, lane, lane, lane, lane, lane, lane, lane };
+}
+
 class TreeEncoder
 {
 public:
@@ -82,12 +102,12 @@ public:
     , Numbers(vertices, Unmet)
     , Apexes(tets.size() + 2 * PaddedTets::Padding, NoApex)
     , Masks((tets.size() + 1) / 2, 0)
+    , Classes(tets.size())
   {
-    this->Classes.reserve(tets.size());
-    this->Result.TetOrder.reserve(tets.size());
-    this->Result.Turns.reserve(tets.size());
+    this->Result.TetOrder.resize(tets.size());
+    this->Result.Turns.resize(tets.size());
     this->Result.Tree.Tets = PaddedTets(tets.size());
-    this->Result.Tree.Parents.reserve(tets.size());
+    this->Result.Tree.Parents.resize(tets.size());
     this->Result.Tree.Gates.reserve(vertices);
     this->InputOf.reserve(vertices);
   }
@@ -95,21 +115,23 @@ public:
   EncodedTree Encode()
   {
     const auto count = this->Faces.Rows.size();
-    const auto& order = this->Result.TetOrder;
     for (std::uint32_t head = 0; head < count; ++head)
     {
-      if (head == order.size())
+      if (head == this->Count)
       {
         this->AddRoot(this->Visits.FindFirst());
       }
       this->FetchAhead(head);
-      unsigned mask = this->Attach<0>(head);
-      mask |= this->Attach<1>(head);
-      mask |= this->Attach<2>(head);
+      unsigned mask = 0;
+      for (unsigned open = this->FindOpen(head); open != 0; open &= open - 1)
+      {
+        mask |= this->Attach(head, static_cast<unsigned>(std::countr_zero(open)));
+      }
       this->Masks[head / 2] |= static_cast<std::uint8_t>(mask << head % 2 * 3);
     }
     this->Result.Tree.Sources = MakeSources(this->InputOf, this->Shared);
     this->FindFlips();
+    this->Faces.RestoreInput(this->Result.TetOrder);
     this->Write();
     return std::move(this->Result);
   }
@@ -119,20 +141,39 @@ private:
 
   std::uint32_t GetNext() const { return static_cast<std::uint32_t>(this->InputOf.size()); }
 
-  /** Begins to load what the attachment of children to the next tetrahedra needs. */
+  /** Begins to load what the attachment of children to one of the next tetrahedra needs. */
   void FetchAhead(std::size_t head) const
   {
-    const auto& order = this->Result.TetOrder;
-    if (head + RowsAhead < order.size())
+    if (head + NeighborsAhead < this->Count)
     {
-      Prefetch(&this->Faces.Rows[order[head + RowsAhead]]);
-      const auto tet = order[head + NeighborsAhead];
-      for (const auto over : this->Faces.Rows[tet].Over)
+      const auto row = this->Result.TetOrder[head + NeighborsAhead];
+      for (const auto over : this->Faces.Rows[row].Over)
       {
-        const auto next = over / 4 < this->Faces.Rows.size() ? over / 4 : tet;
-        Prefetch(&this->Faces.Rows[this->Visits.IsVisited(next) ? tet : next]);
+        Prefetch(this->Faces.Rows.data() + over / 4);
       }
     }
+  }
+
+  /** A turn with the place of the fourth corner, and the place of a corner by it. */
+  unsigned GetTurn(std::uint32_t tet) const
+  {
+    const unsigned turn = this->Result.Turns[tet];
+    return turn | ((turn ^ turn >> 2 ^ turn >> 4) & 3) << 6;
+  }
+  static unsigned GetPlace(unsigned turn, unsigned corner) { return turn >> 2 * corner & 3; }
+
+  /** The bits of faces over which there may be an unvisited tetrahedron. Without branches, because
+   * that is random. */
+  unsigned FindOpen(std::uint32_t head) const
+  {
+    const auto places = this->GetTurn(head);
+    const auto& over = this->Faces.Rows[this->Result.TetOrder[head]].Over;
+    unsigned open = 0;
+    for (unsigned face = 0; face < FaceCount; ++face)
+    {
+      open |= unsigned{ this->Visits.MayBeUnvisited(over[GetPlace(places, face)]) } << face;
+    }
+    return open;
   }
 
   /** Numbers a vertex that was not met before. */
@@ -145,15 +186,15 @@ private:
     return number;
   }
 
-  void Add(std::uint32_t tet, unsigned turn, PackedTet corners, std::uint32_t parent)
+  void Add(std::uint32_t row, unsigned turn, PackedTet corners, std::uint32_t parent)
   {
-    const auto place = this->Result.TetOrder.size();
-    this->Visits.Visit(tet);
-    this->Result.TetOrder.push_back(tet);
-    this->Result.Turns.push_back(static_cast<std::uint8_t>(turn));
+    const auto place = this->Count++;
+    this->Visits.Visit(row);
+    this->Result.TetOrder[place] = row;
+    this->Result.Turns[place] = static_cast<std::uint8_t>(turn);
     this->Result.Tree.Tets[place] = corners;
     this->Apexes[PaddedTets::Padding + place] = static_cast<std::uint16_t>(corners >> 48);
-    this->Result.Tree.Parents.push_back(parent);
+    this->Result.Tree.Parents[place] = parent;
   }
 
   void AddRoot(std::uint32_t tet)
@@ -181,34 +222,32 @@ private:
   }
 
   /** Attaches the tetrahedron over a face, if there is one. Returns the bit of the face. */
-  template <unsigned Face>
-  GATUN_INLINE unsigned Attach(std::uint32_t head)
+  GATUN_INLINE unsigned Attach(std::uint32_t head, unsigned face)
   {
-    constexpr std::array<unsigned, 3> corners{ Face == 0 ? 1
-        : Face == 1                                      ? 2
-                                                         : 0,
-      Face == 0     ? 2
-        : Face == 1 ? 0
-                    : 1,
-      3 };
-    const auto parentTurn = EncodedTree::GetPlaces(this->Result.Turns[head]);
+    constexpr std::array<std::array<unsigned, 3>, FaceCount> faceCorners{ { { 1, 2, 3 },
+      { 2, 0, 3 }, { 0, 1, 3 } } };
+    const auto& corners = faceCorners[face];
+    const auto places = this->GetTurn(head);
     const auto& parentRow = this->Faces.Rows[this->Result.TetOrder[head]];
-    const auto over = this->Visits.Find(parentRow.Over[parentTurn[Face]]);
+    const auto over = this->Visits.Find(parentRow.Over[GetPlace(places, face)]);
     if (over == FaceTable::None)
     {
       return 0;
     }
     const auto& row = this->Faces.Rows[over / 4];
     const auto place = [&](unsigned corner)
-    { return FindPlace(row.Corners, parentRow.Corners[parentTurn[corner]]); };
+    { return FindPlace(row.Corners, parentRow.Corners[GetPlace(places, corner)]); };
     const auto turn = place(corners[0]) | place(corners[1]) << 2 | place(corners[2]) << 4;
     const auto parent = this->Result.Tree.Tets[head];
-    const auto gate = GetFace(parent, FaceShifts[Face]) & LowThree;
+    const auto gate = GetFace(parent, FaceShifts[face]) & LowThree;
     const auto apex = this->NameApex(
-      row.Corners[over % 4], head, gate | PackedTet{ GetCorner(parent, Face) } << 48);
+      row.Corners[over % 4], head, gate | PackedTet{ GetCorner(parent, face) } << 48);
     this->Add(over / 4, turn, gate | PackedTet{ apex } << 48, head);
-    return 1u << Face;
+    return 1u << face;
   }
+
+  /** There is one of each tetrahedron but for roots. */
+  void PutClass(std::uint8_t symbol) { this->Classes[this->Count - this->Roots] = symbol; }
 
   /** Writes the symbol of the next tetrahedron. gate: that of its apex if this is new. */
   std::uint32_t NameApex(std::uint32_t input, std::uint32_t parent, PackedTet gate)
@@ -216,11 +255,11 @@ private:
     const auto apex = this->Numbers[input];
     if (apex == Unmet)
     {
-      this->Classes.push_back(New);
+      this->PutClass(New);
       return this->Meet(input, gate);
     }
     const auto symbol = this->FindSymbol(parent, apex);
-    this->Classes.push_back(symbol);
+    this->PutClass(symbol);
     if (symbol == Far)
     {
       this->Fars.Put(this->GetNext() - 1 - apex);
@@ -233,26 +272,14 @@ private:
   std::uint8_t FindSymbol(std::uint32_t parent, std::uint16_t apex) const
   {
     const auto* tets = this->Apexes.data() + PaddedTets::Padding;
-    const auto* near = tets + this->Result.TetOrder.size() - Reach;
-    const auto* behind = tets + parent + 1;
-    const auto* ahead = tets + parent - Reach;
-    const auto rank = [apex](std::uint16_t found, std::int16_t of)
-    { return found == apex ? of : SymbolRanks::None; };
-    std::array<std::int16_t, Reach> ranks;
-    for (unsigned k = 0; k < Reach; ++k)
-    {
-      const auto first = rank(near[k], Ranks.Near[k]);
-      const auto second = rank(behind[k], Ranks.Behind[k]);
-      const auto third = rank(ahead[k], Ranks.Ahead[k]);
-      const auto last = second < third ? second : third;
-      ranks[k] = first < last ? first : last;
-    }
-    std::int16_t least = ranks[0];
-    for (const auto other : ranks)
-    {
-      least = other < least ? other : least;
-    }
-    return Ranks.Symbols[static_cast<std::size_t>(least)];
+    const auto wanted = Splat(apex);
+    const auto none = Splat(SymbolRanks::None);
+    const auto rank = [&](const std::uint16_t* from, const std::array<std::int16_t, Reach>& ranks)
+    { return SelectEqual(Load(from), wanted, Load(ranks.data()), none); };
+    const auto near = rank(tets + this->Count - Reach, Ranks.Near);
+    const auto behind = rank(tets + parent + 1, Ranks.Behind);
+    const auto ahead = rank(tets + parent - Reach, Ranks.Ahead);
+    return Ranks.Symbols[static_cast<std::size_t>(Least(Min(near, Min(behind, ahead))))];
   }
 
   /** Marks the tetrahedra that have another orientation than their neighbors. */
@@ -277,7 +304,7 @@ private:
     out.Put<std::uint8_t>(tree.Flips.empty() ? 0 : 1);
     out.PutVarint(this->Roots);
     PutPacked(out, this->Masks);
-    PutPacked(out, this->Classes);
+    PutPacked(out, std::span(this->Classes).first(this->Count - this->Roots));
     this->Fars.Finish(out);
     this->RootCorners.Finish(out);
     this->Result.OwnOrder = PutVertexNames(out, this->InputOf, this->Shared);
@@ -299,7 +326,8 @@ private:
   NumberWriter Fars;
   NumberWriter RootCorners;
   std::uint32_t Roots = 0;
-  EncodedTree Result;
+  std::size_t Count = 0; // of tetrahedra so far
+  EncodedTree Result;    // its order is one of rows until all are known
 };
 }
 

@@ -18,6 +18,7 @@ gatun_core_folder(Mesh
     gatunMeshCheck.h
     gatunMeshTets.h
     gatunPartition.h
+    gatunPointOrder.h
     gatunSharedGroups.h
     gatunTetSeparation.h
   SOURCES
@@ -27,5 +28,6 @@ gatun_core_folder(Mesh
     gatunLayerPartition.cxx
     gatunMeshCheck.cxx
     gatunPartition.cxx
+    gatunPointOrder.cxx
     gatunSharedGroups.cxx
     gatunTetSeparation.cxx)

@@ -100,9 +100,11 @@ public:
     ParallelFor(all.CountTasks(),
       [&](std::size_t task)
       {
-        for (const auto cell : all.GetTask(cells, task))
+        const auto some = all.GetTask(cells, task);
+        for (std::size_t i = 0; i < some.size(); ++i)
         {
-          this->Places[cell] = GetPlace(mesh, cell);
+          mesh.FetchPointsAhead(some, i);
+          this->Places[some[i]] = GetPlace(mesh, some[i]);
         }
       });
   }
@@ -120,18 +122,8 @@ public:
     const auto parts = (part.GetSize() + part.MostCells - 1) / part.MostCells;
     const auto half = part.GetSize() * (parts / 2) / parts;
     const IsBefore isBefore{ this->Places, axis };
-    const auto pivot = this->Select(part, axis, box[axis], half);
-
-    std::vector<std::size_t> starts(part.CountTasks() + 1, 0); // of the tasks in the first half
-    ParallelFor(part.CountTasks(),
-      [&](std::size_t task)
-      {
-        for (const auto cell : part.GetTask(this->From, task))
-        {
-          starts[task + 1] += isBefore(cell, pivot);
-        }
-      });
-    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    std::vector<std::size_t> starts; // of the tasks in the first half
+    const auto pivot = this->Select(part, axis, box[axis], half, starts);
     ParallelFor(part.CountTasks(),
       [&](std::size_t task)
       {
@@ -201,8 +193,10 @@ private:
     return all;
   }
 
-  /** The cell at a position of the order along an axis. A histogram leaves few cells to sort. */
-  std::uint32_t Select(const Part& part, unsigned axis, const Extent& extent, std::size_t position)
+  /** The cell at a position of the order along an axis. A histogram leaves few cells to sort.
+   * before: how many cells before it the tasks before each task have. */
+  std::uint32_t Select(const Part& part, unsigned axis, const Extent& extent, std::size_t position,
+    std::vector<std::size_t>& before)
   {
     const double scale = static_cast<double>(Bins - 1) / extent.GetLength();
     const auto binOf = [&](std::uint32_t cell)
@@ -222,7 +216,7 @@ private:
         }
       });
     std::size_t bin = 0;
-    std::size_t before = 0;
+    std::size_t inBins = 0; // before this one
     for (;; ++bin)
     {
       std::size_t count = 0;
@@ -230,11 +224,11 @@ private:
       {
         count += list[bin];
       }
-      if (before + count > position)
+      if (inBins + count > position)
       {
         break;
       }
-      before += count;
+      inBins += count;
     }
     std::vector<std::size_t> starts(counts.size() + 1, 0);
     for (std::size_t task = 0; task < counts.size(); ++task)
@@ -254,8 +248,21 @@ private:
           }
         }
       });
-    const auto nth = rest.begin() + static_cast<std::ptrdiff_t>(position - before);
-    std::nth_element(rest.begin(), nth, rest.end(), IsBefore{ this->Places, axis });
+    const IsBefore isBefore{ this->Places, axis };
+    auto sorted = rest;
+    const auto nth = sorted.begin() + static_cast<std::ptrdiff_t>(position - inBins);
+    std::nth_element(sorted.begin(), nth, sorted.end(), isBefore);
+    before.assign(1, 0);
+    for (std::size_t task = 0; task < counts.size(); ++task)
+    {
+      const auto first = rest.begin() + static_cast<std::ptrdiff_t>(starts[task]);
+      const auto last = rest.begin() + static_cast<std::ptrdiff_t>(starts[task + 1]);
+      const auto ofBin = static_cast<std::size_t>(
+        std::count_if(first, last, [&](std::uint32_t cell) { return isBefore(cell, *nth); }));
+      before.push_back(before.back() + ofBin +
+        std::accumulate(counts[task].begin(),
+          counts[task].begin() + static_cast<std::ptrdiff_t>(bin), std::size_t{ 0 }));
+    }
     return *nth;
   }
 

@@ -6,6 +6,7 @@
 
 #include "gatunCellSplitter.h"
 #include "gatunMeshInput.h"
+#include "gatunPrefetch.h"
 #include "gatunTypes.h"
 
 #include <algorithm>
@@ -78,16 +79,35 @@ public:
     return { begin, end };
   }
 
+  /** Begins to load the point ids of one of some cells, for a loop over them. */
+  void FetchAhead(std::span<const std::uint32_t> cells, std::size_t at) const
+  {
+    if (this->IsTetrahedral() && at + Ahead < cells.size())
+    {
+      Fetch(this->Mesh.Connectivity, cells[at + Ahead], 4 * (this->Mesh.WideIds ? 8 : 4));
+    }
+  }
+
+  /** The same of the coordinates of a cell's points. */
+  void FetchPointsAhead(std::span<const std::uint32_t> cells, std::size_t at) const
+  {
+    for (unsigned i = 0; i < 4 && this->IsTetrahedral() && at + Ahead < cells.size(); ++i)
+    {
+      Fetch(this->Mesh.Coordinates, this->GetTetId(cells[at + Ahead], i),
+        3 * SizeOf(this->Mesh.CoordinateType));
+    }
+  }
+
   /** Calls use with each point id of a cell, and with those of a polyhedron's faces again. */
   template <typename Use>
   void ForEachPoint(std::uint64_t cell, Use&& use) const
   {
     if (this->IsTetrahedral())
     {
-      for (unsigned i = 0; i < 4; ++i)
-      {
-        use(this->GetTetId(cell, i));
-      }
+      use(this->GetTetId(cell, 0));
+      use(this->GetTetId(cell, 1));
+      use(this->GetTetId(cell, 2));
+      use(this->GetTetId(cell, 3));
       return;
     }
     const std::uint64_t end = this->GetEnd(cell);
@@ -142,6 +162,16 @@ public:
   const MeshInput& GetMesh() const { return this->Mesh; }
 
 private:
+  static constexpr std::size_t Ahead = 16; // cells are fetched by so many
+
+  /** Begins to load an item of an array, which may be in two lines of the cache. */
+  static void Fetch(const void* items, std::uint64_t item, std::size_t size)
+  {
+    const auto* const begin = static_cast<const std::uint8_t*>(items) + size * item;
+    Prefetch(begin);
+    Prefetch(begin + size - 1);
+  }
+
   std::uint64_t Read(const void* ids, std::uint64_t position) const
   {
     return this->Mesh.WideIds ? static_cast<const std::uint64_t*>(ids)[position]

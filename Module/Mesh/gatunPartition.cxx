@@ -121,7 +121,7 @@ std::vector<std::vector<std::uint32_t>> FindUsers(
     {
       LocalIds others(0);
       const auto self = static_cast<Users>(c + 1);
-      const auto add = [&](std::uint64_t point)
+      const auto note = [&](std::uint32_t point)
       {
         auto& user = users[point];
         Users noted = user.load(std::memory_order_relaxed);
@@ -135,13 +135,31 @@ std::vector<std::vector<std::uint32_t>> FindUsers(
           {
             user.fetch_or(UsedByOthers, std::memory_order_relaxed);
           }
-          others.Add(static_cast<std::uint32_t>(point));
+          others.Add(point);
         }
       };
-      for (auto i = parts.ChunkStart[c]; i < parts.ChunkStart[c + 1]; ++i)
+      // Which points are not yet noted is random, so that they are collected without branches.
+      std::array<std::uint32_t, 1024> found;
+      const std::function<void(std::size_t)> noteFound = [&](std::size_t count)
+      { std::for_each(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), note); };
+      std::size_t count = 0;
+      const auto add = [&](std::uint64_t point)
       {
-        mesh.ForEachPoint(parts.Cells[i], add);
+        found[count] = static_cast<std::uint32_t>(point);
+        count += (users[point].load(std::memory_order_relaxed) & ~UsedByOthers) != self;
+        if (count == found.size())
+        {
+          noteFound(count);
+          count = 0;
+        }
+      };
+      const auto cells = parts.GetCells(c);
+      for (std::size_t i = 0; i < cells.size(); ++i)
+      {
+        mesh.FetchAhead(cells, i);
+        mesh.ForEachPoint(cells[i], add);
       }
+      noteFound(count);
       shared[c] = others.GetPoints();
     });
   return shared;

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <span>
 #include <vector>
 
 namespace gatun
@@ -33,6 +34,13 @@ struct Partition
   std::vector<std::uint32_t> UnusedPoints; // ascending
 
   std::size_t GetChunkCount() const { return this->ChunkStart.size() - 1; }
+
+  /** The cells of a chunk. */
+  std::span<const std::uint32_t> GetCells(std::size_t chunk) const
+  {
+    const auto first = this->ChunkStart[chunk];
+    return std::span(this->Cells).subspan(first, this->ChunkStart[chunk + 1] - first);
+  }
 };
 
 /** The bounds of the finite coordinates of all points. */

@@ -83,6 +83,26 @@ GATUN_INLINE Short8 Approach(Short8 value, Short8 target, int rate)
 {
   return value + ((target - value) >> rate);
 }
+
+/** a in lanes where l == r, else b. */
+GATUN_INLINE Short8 SelectEqual(Short8 l, Short8 r, Short8 a, Short8 b)
+{
+  const Short8 isEqual = l == r;
+  return (a & isEqual) | (b & ~isEqual);
+}
+
+GATUN_INLINE Short8 Min(Short8 l, Short8 r)
+{
+  return l < r ? l : r;
+}
+
+/** The least lane. */
+GATUN_INLINE std::int16_t Least(Short8 v)
+{
+  v = Min(v, __builtin_shuffle(v, Short8{ 4, 5, 6, 7, 0, 1, 2, 3 }));
+  v = Min(v, __builtin_shuffle(v, Short8{ 2, 3, 0, 1, 6, 7, 4, 5 }));
+  return v[0] < v[1] ? v[0] : v[1];
+}
 #else
 using Short8 = std::array<std::int16_t, 8>;
 
@@ -103,6 +123,34 @@ inline Short8 Approach(Short8 value, const Short8& target, int rate)
     value[i] = static_cast<std::int16_t>(value[i] + ((target[i] - value[i]) >> rate));
   }
   return value;
+}
+
+inline Short8 SelectEqual(const Short8& l, const Short8& r, const Short8& a, Short8 b)
+{
+  for (std::size_t i = 0; i < 8; ++i)
+  {
+    b[i] = l[i] == r[i] ? a[i] : b[i];
+  }
+  return b;
+}
+
+inline Short8 Min(Short8 l, const Short8& r)
+{
+  for (std::size_t i = 0; i < 8; ++i)
+  {
+    l[i] = l[i] < r[i] ? l[i] : r[i];
+  }
+  return l;
+}
+
+inline std::int16_t Least(const Short8& v)
+{
+  std::int16_t least = v[0];
+  for (const auto lane : v)
+  {
+    least = lane < least ? lane : least;
+  }
+  return least;
 }
 
 struct Float4

@@ -174,18 +174,19 @@ struct Attempt
 };
 
 template <Ranking Rule>
-Attempt TryWalk(const WalkInput& input, Tets tets, const FaceTable& faces,
-  std::span<const LatticePoint> ownPlaces)
+Attempt TryWalk(
+  const WalkInput& input, const FaceTable& faces, std::span<const LatticePoint> ownPlaces)
 {
+  const auto count = faces.Rows.size();
   Attempt result;
   EntropyEncoder coder;
   EncoderSide side(faces, static_cast<std::uint32_t>(input.Shared.size()), ownPlaces);
   Walk<Rule, EntropyEncoder, EncoderSide>(coder, side, input, result.Walk).Run();
 
-  std::vector<char> flips(tets.size());
-  result.Corners.resize(tets.size());
+  std::vector<char> flips(count);
+  result.Corners.resize(count);
   bool anyFlip = false;
-  for (std::size_t t = 0; t < tets.size(); ++t)
+  for (std::size_t t = 0; t < count; ++t)
   {
     std::array<std::uint32_t, 4> walked{};
     for (unsigned i = 0; i < 4; ++i)
@@ -193,7 +194,7 @@ Attempt TryWalk(const WalkInput& input, Tets tets, const FaceTable& faces,
       walked[i] = side.InputOf[result.Walk.Tets[t][i]];
     }
     bool flip = false;
-    result.Corners[t] = FindRotation(walked, tets[side.TetOrder[t]], flip);
+    result.Corners[t] = FindRotation(walked, faces.Rows[side.TetOrder[t]].Corners, flip);
     flips[t] = flip;
     anyFlip = anyFlip || flip;
   }
@@ -205,9 +206,9 @@ Attempt TryWalk(const WalkInput& input, Tets tets, const FaceTable& faces,
   result.Stream.push_back(static_cast<std::uint8_t>((Rule == Ranking::Angle ? FlagAngle : 0) |
     (input.Plain ? FlagPlain : 0) | (anyFlip ? FlagFlips : 0)));
   result.Stream.insert(result.Stream.end(), body.begin(), body.end());
-  result.Stream.resize(
-    std::max<std::size_t>(result.Stream.size(), tets.size() / MaxItemsPerByte + 1), 0);
+  result.Stream.resize(std::max<std::size_t>(result.Stream.size(), count / MaxItemsPerByte + 1), 0);
   result.OwnOrder = std::move(side.OwnOrder);
+  faces.RestoreInput(side.TetOrder);
   result.TetOrder = std::move(side.TetOrder);
   return result;
 }
@@ -267,17 +268,17 @@ Attempt EncodeConnectivity(
   };
   if (ranking != Ranking::Angle)
   {
-    consider(TryWalk<Ranking::Sphere>(input, tets, faces, ownPlaces));
+    consider(TryWalk<Ranking::Sphere>(input, faces, ownPlaces));
   }
   if (ranking != Ranking::Sphere)
   {
-    consider(TryWalk<Ranking::Angle>(input, tets, faces, ownPlaces));
+    consider(TryWalk<Ranking::Angle>(input, faces, ownPlaces));
   }
   if (best.Stream.size() > 3 * tets.size())
   {
     auto plain = input;
     plain.Plain = true;
-    consider(TryWalk<Ranking::Sphere>(plain, tets, faces, ownPlaces));
+    consider(TryWalk<Ranking::Sphere>(plain, faces, ownPlaces));
   }
   return best;
 }

@@ -7,6 +7,7 @@
 #include "gatunChunkCodec.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct ChunkSize
 
 /** Splits the cells of a chunk of other cells than tetrahedra: see CellSplitter. */
 ChunkSize SplitCells(const ChunkMesh& mesh);
+
+/** How many tetrahedra SplitCells makes. */
+std::size_t CountTets(const ChunkMesh& mesh);
 }
 
 #endif

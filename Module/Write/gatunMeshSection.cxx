@@ -7,9 +7,9 @@
 #include "gatunCellCodec.h"
 #include "gatunChunkTets.h"
 #include "gatunFloatEnvironment.h"
-#include "gatunLocalIds.h"
 #include "gatunPalette.h"
 #include "gatunParallel.h"
+#include "gatunPointOrder.h"
 
 #include <algorithm>
 #include <string>
@@ -315,20 +315,43 @@ CellList MeshSection::MakeCells(
 }
 
 //------------------------------------------------------------------------------
-template <typename NumberOf>
+/** The tetrahedra of a chunk with the numbers of its points. */
 std::vector<std::array<std::uint32_t, 4>> MeshSection::MakeTets(
-  const WriterPart& part, std::size_t chunk, NumberOf&& numberOf) const
+  const WriterPart& part, std::size_t chunk, const LocalIds& shared) const
 {
   const auto cells = part.GetCells(chunk);
+  const auto* const own = this->OwnNumbers.data();
   std::vector<std::array<std::uint32_t, 4>> tets(cells.size());
+  // Which points are shared is random, so that they are collected without branches.
+  std::array<std::uint32_t*, 1024> found;
+  std::size_t count = 0;
+  const auto number = [&]
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      *found[i] = shared[*found[i]];
+    }
+    count = 0;
+  };
   for (std::size_t t = 0; t < tets.size(); ++t)
   {
-    const auto begin = part.Mesh.GetBegin(cells[t]);
-    for (unsigned i = 0; i < 4; ++i)
+    part.Mesh.FetchAhead(cells, t);
+    auto* corner = tets[t].data();
+    part.Mesh.ForEachPoint(cells[t],
+      [&](std::uint64_t id)
+      {
+        const auto point = static_cast<std::uint32_t>(id);
+        const bool isShared = own[point] == NotOwn;
+        *corner = isShared ? point : own[point];
+        found[count] = corner++;
+        count += isShared;
+      });
+    if (count + 4 > found.size())
     {
-      tets[t][i] = numberOf(static_cast<std::uint32_t>(part.Mesh.GetId(begin + i)));
+      number();
     }
   }
+  number();
   return tets;
 }
 
@@ -338,7 +361,7 @@ MeshSection::LocalMesh MeshSection::MakeLocalMesh(const WriterPart& part, std::s
 {
   LocalMesh local;
   local.Shared = part.GetSharedPoints(this->State.Table, chunk);
-  local.Own = part.Layout.OwnPoints[chunk];
+  local.Own = SortAlongCurve(part.Mesh, part.Layout.OwnPoints[chunk]);
   LocalIds shared(local.Shared.size());
   for (const auto p : local.Shared)
   {
@@ -355,7 +378,7 @@ MeshSection::LocalMesh MeshSection::MakeLocalMesh(const WriterPart& part, std::s
   const auto& sizes = this->State.Table.Chunks[part.Place.FirstChunk + chunk].Sizes;
   if (sizes.IsTetrahedral)
   {
-    local.Tets = this->MakeTets(part, chunk, numberOf);
+    local.Tets = this->MakeTets(part, chunk, shared);
   }
   else
   {
@@ -459,7 +482,7 @@ MeshSection::ChunkStreams MeshSection::EncodeChunk(WriterPart& part, std::size_t
       this->State.Options.Coding);
     take(encoded);
     cellOrder = std::move(encoded.CellOrder);
-    info.Tets = SplitCells(state.Mesh).Tets.size();
+    info.Tets = CountTets(state.Mesh);
     streams.Corners = std::move(encoded.Corners);
   }
   const auto& sources = state.Mesh.Walk.Sources;

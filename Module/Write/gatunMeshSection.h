@@ -7,6 +7,7 @@
 #include "gatunArrayCodec.h"
 #include "gatunCellList.h"
 #include "gatunLayerPartition.h"
+#include "gatunLocalIds.h"
 #include "gatunPalette.h"
 #include "gatunWriterPart.h"
 #include "gatunWriterState.h"
@@ -90,9 +91,8 @@ private:
     const WriterPart& part, std::span<const std::uint32_t> points) const;
   CellSizes GetSizes(const WriterPart& part, std::size_t chunk) const;
   LocalMesh MakeLocalMesh(const WriterPart& part, std::size_t chunk);
-  template <typename NumberOf>
   std::vector<std::array<std::uint32_t, 4>> MakeTets(
-    const WriterPart& part, std::size_t chunk, NumberOf&& numberOf) const;
+    const WriterPart& part, std::size_t chunk, const LocalIds& shared) const;
   template <typename NumberOf>
   CellList MakeCells(
     const WriterPart& part, std::size_t chunk, const CellSizes& sizes, NumberOf&& numberOf) const;

@@ -63,8 +63,7 @@ public:
   /** The cells of a chunk. */
   std::span<const std::uint32_t> GetCells(std::size_t chunk) const
   {
-    const auto& starts = this->Layout.ChunkStart;
-    return std::span(this->Layout.Cells).subspan(starts[chunk], starts[chunk + 1] - starts[chunk]);
+    return this->Layout.GetCells(chunk);
   }
 
   /** The number of points or cells, whichever the array belongs to. */

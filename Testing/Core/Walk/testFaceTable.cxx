@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 #include <vector>
@@ -45,37 +46,53 @@ void ExpectRight(const Tets& tets)
 {
   const FaceTable table(tets);
   ASSERT_EQ(table.Rows.size(), tets.size());
+  std::vector<std::uint32_t> rows(tets.size());
+  std::iota(rows.begin(), rows.end(), 0u);
+  table.RestoreInput(rows);
+  EXPECT_TRUE(std::is_permutation(rows.begin(), rows.end(), table.Places.begin()));
+  // Faces of the input and of rows.
+  const auto inputOf = [&](std::uint32_t face) { return 4 * rows[face / 4] + face % 4; };
+  const auto rowOf = [&](std::uint32_t face) { return 4 * table.Places[face / 4] + face % 4; };
+  const auto overOf = [&](std::uint32_t face)
+  { return table.Rows[rowOf(face) / 4].Over[face % 4]; };
   std::vector<std::uint32_t> over(4 * tets.size(), FaceTable::None);
   std::size_t groups = 0;
   for (const auto& [corners, faces] : FindGroups(tets))
   {
     if (faces.size() == 2)
     {
-      over[faces[0]] = faces[1];
-      over[faces[1]] = faces[0];
+      over[faces[0]] = rowOf(faces[1]);
+      over[faces[1]] = rowOf(faces[0]);
     }
     if (faces.size() < 3)
     {
       continue;
     }
     ++groups;
-    const auto number = table.Rows[faces[0] / 4].Over[faces[0] % 4];
+    const auto number = overOf(faces[0]);
     ASSERT_TRUE(FaceTable::IsGroup(number));
     ASSERT_LT(FaceTable::GetGroup(number), table.Firsts.size());
     std::vector<std::uint32_t> found;
     for (auto face = table.Firsts[FaceTable::GetGroup(number)]; face != FaceTable::None;
          face = table.Next[face])
     {
-      found.push_back(face);
-      over[face] = number;
+      found.push_back(inputOf(face));
+      over[found.back()] = number;
     }
     EXPECT_EQ(found, faces);
   }
   EXPECT_EQ(table.Firsts.size(), groups);
   for (std::uint32_t face = 0; face < over.size(); ++face)
   {
-    EXPECT_EQ(table.Rows[face / 4].Over[face % 4], over[face]);
-    EXPECT_EQ(table.Rows[face / 4].Corners, tets[face / 4]);
+    EXPECT_EQ(overOf(face), over[face]);
+    EXPECT_EQ(inputOf(rowOf(face)), face);
+    EXPECT_EQ(table.Rows[rowOf(face) / 4].Corners, tets[face / 4]);
+  }
+  for (std::size_t row = 1; row < rows.size(); ++row)
+  {
+    const auto lowestOf = [&](std::size_t r)
+    { return *std::min_element(tets[rows[r]].begin(), tets[rows[r]].end()); };
+    EXPECT_LE(lowestOf(row - 1), lowestOf(row));
   }
 }
 
