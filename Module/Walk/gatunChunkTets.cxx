@@ -14,8 +14,8 @@ template <typename Use>
 void EachTet(const ChunkMesh& mesh, Use&& use)
 {
   const auto places = mesh.GetPlaces();
-  using Order = PointOrder<double>;
-  CellSplitter<Vertex, Order> splitter(Order(places.empty() ? nullptr : places.front().data()));
+  const PointOrder<double> order(places.empty() ? nullptr : places.front().data());
+  CellSplitter<Vertex, PointOrder<double>> splitter(order);
   const CellList& cells = mesh.Cells;
   for (std::uint32_t cell = 0; cell < cells.GetNumber(); ++cell)
   {
