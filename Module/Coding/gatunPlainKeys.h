@@ -4,6 +4,7 @@
 #ifndef gatunPlainKeys_h
 #define gatunPlainKeys_h
 
+#include "gatunInline.h"
 #include "gatunTypes.h"
 
 #include <bit>
@@ -50,7 +51,7 @@ public:
   }
 
   /** The inverse of ReadPlain. */
-  static void WritePlain(ScalarType type, Key key, void* value)
+  GATUN_INLINE static void WritePlain(ScalarType type, Key key, void* value)
   {
     const unsigned bits = static_cast<unsigned>(8 * SizeOf(type));
     const Key sign = Key{ 1 } << (bits - 1);

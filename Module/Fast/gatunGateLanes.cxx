@@ -119,7 +119,7 @@ private:
     {
       const unsigned length = *this->Length++;
       const unsigned stored = Copies ? length & (0u - (length <= Bits ? 1u : 0u)) : length;
-      return static_cast<std::int32_t>(ToSigned(this->Stored.GetNumber<Bits>(stored)));
+      return static_cast<std::int32_t>(ToSigned(this->Stored.template GetNumber<Bits>(stored)));
     }
   };
   using Cursors = std::array<Cursor, Count>;

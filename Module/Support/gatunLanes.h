@@ -99,8 +99,8 @@ GATUN_INLINE Short8 Min(Short8 l, Short8 r)
 /** The least lane. */
 GATUN_INLINE std::int16_t Least(Short8 v)
 {
-  v = Min(v, __builtin_shuffle(v, Short8{ 4, 5, 6, 7, 0, 1, 2, 3 }));
-  v = Min(v, __builtin_shuffle(v, Short8{ 2, 3, 0, 1, 6, 7, 4, 5 }));
+  v = Min(v, __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3));
+  v = Min(v, __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5));
   return v[0] < v[1] ? v[0] : v[1];
 }
 #else
