@@ -266,13 +266,39 @@ private:
   std::uint32_t Last;
 };
 
+/** Keys of fewer than 64 bits, which wrap around. */
+class WrappingKeys
+{
+public:
+  explicit WrappingKeys(unsigned bits)
+    : Bits(bits)
+  {
+  }
+
+  unsigned GetBits() const { return this->Bits; }
+
+  std::int64_t Subtract(Key key, Key predicted) const
+  {
+    const unsigned unused = 64 - this->Bits;
+    return static_cast<std::int64_t>((key - predicted) << unused) >> unused;
+  }
+
+  Key Add(Key predicted, std::int64_t residual) const
+  {
+    return (predicted + static_cast<Key>(residual)) & ((Key{ 1 } << this->Bits) - 1);
+  }
+
+private:
+  unsigned Bits;
+};
+
 /** The same for the scale Binary, of any type. */
-class BinaryDomain
+class BinaryDomain : public WrappingKeys
 {
 public:
   explicit BinaryDomain(const Domain& domain)
-    : Type(domain.GetType())
-    , Bits(domain.GetBits())
+    : WrappingKeys(domain.GetBits())
+    , Type(domain.GetType())
     , Zero(std::int64_t{ 1 } << Scale::GetBinaryDigits(this->Type))
     , Unit(std::ldexp(1.0, domain.GetScale().First))
     , PerUnit(1 / this->Unit)
@@ -285,7 +311,6 @@ public:
   }
 
   ScalarType GetType() const { return this->Type; }
-  unsigned GetBits() const { return this->Bits; }
   bool IsValid(Key key) const { return key <= 2 * static_cast<Key>(this->Zero); }
 
   double ToNumber(Key key) const
@@ -304,32 +329,19 @@ public:
     return static_cast<Key>(this->Zero + multiple);
   }
 
-  std::int64_t Subtract(Key key, Key predicted) const
-  {
-    const unsigned unused = 64 - this->Bits;
-    return static_cast<std::int64_t>((key - predicted) << unused) >> unused;
-  }
-
-  Key Add(Key predicted, std::int64_t residual) const
-  {
-    return (predicted + static_cast<Key>(residual)) & ((Key{ 1 } << this->Bits) - 1);
-  }
-
 private:
   ScalarType Type;
-  unsigned Bits;
   std::int64_t Zero; // its key
   double Unit;       // the distance of values
   double PerUnit;
 };
 
 /** The same with a palette, of any type. */
-class RankDomain
+class RankDomain : public WrappingKeys
 {
 public:
   explicit RankDomain(const Domain& domain)
-    : Type(domain.GetType())
-    , Bits(domain.GetBits())
+    : WrappingKeys(domain.GetBits())
     , Count(domain.GetPalette()->size())
     , Last(static_cast<double>(this->Count - 1))
   {
@@ -337,8 +349,6 @@ public:
 
   static bool Matches(const Domain& domain) { return static_cast<bool>(domain.GetPalette()); }
 
-  ScalarType GetType() const { return this->Type; }
-  unsigned GetBits() const { return this->Bits; }
   bool IsValid(Key key) const { return key < this->Count; }
 
   static double ToNumber(Key key) { return static_cast<double>(static_cast<std::int64_t>(key)); }
@@ -351,20 +361,7 @@ public:
     return static_cast<Key>(static_cast<std::int64_t>(bounded + 0.5));
   }
 
-  std::int64_t Subtract(Key key, Key predicted) const
-  {
-    const unsigned unused = 64 - this->Bits;
-    return static_cast<std::int64_t>((key - predicted) << unused) >> unused;
-  }
-
-  Key Add(Key predicted, std::int64_t residual) const
-  {
-    return (predicted + static_cast<Key>(residual)) & ((Key{ 1 } << this->Bits) - 1);
-  }
-
 private:
-  ScalarType Type;
-  unsigned Bits;
   std::size_t Count;
   double Last;
 };
