@@ -1,28 +1,16 @@
-# Finds xxHash, which ships no CMake package on most systems.
+# Finds the header of xxHash, of which the core compiles what it needs into itself.
 #
-# Defines the target xxHash::xxHash and the variables xxHash_FOUND, xxHash_VERSION.
-find_package(PkgConfig QUIET)
-if (PkgConfig_FOUND)
-  pkg_check_modules(PC_xxHash QUIET libxxhash)
-endif ()
-
+# Defines the target xxHash::xxHash and the variable xxHash_FOUND.
 find_path(xxHash_INCLUDE_DIR
-  NAMES xxhash.h
-  HINTS ${PC_xxHash_INCLUDE_DIRS})
-find_library(xxHash_LIBRARY
-  NAMES xxhash
-  HINTS ${PC_xxHash_LIBRARY_DIRS})
-mark_as_advanced(xxHash_INCLUDE_DIR xxHash_LIBRARY)
-set(xxHash_VERSION "${PC_xxHash_VERSION}")
+  NAMES xxhash.h)
+mark_as_advanced(xxHash_INCLUDE_DIR)
 
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(xxHash
-  REQUIRED_VARS xxHash_LIBRARY xxHash_INCLUDE_DIR
-  VERSION_VAR   xxHash_VERSION)
+  REQUIRED_VARS xxHash_INCLUDE_DIR)
 
 if (xxHash_FOUND AND NOT TARGET xxHash::xxHash)
-  add_library(xxHash::xxHash UNKNOWN IMPORTED)
-  set_target_properties(xxHash::xxHash PROPERTIES
-    IMPORTED_LOCATION             "${xxHash_LIBRARY}"
-    INTERFACE_INCLUDE_DIRECTORIES "${xxHash_INCLUDE_DIR}")
+  add_library(xxHash::xxHash INTERFACE IMPORTED)
+  target_include_directories(xxHash::xxHash SYSTEM INTERFACE "${xxHash_INCLUDE_DIR}")
+  target_compile_definitions(xxHash::xxHash INTERFACE XXH_INLINE_ALL)
 endif ()

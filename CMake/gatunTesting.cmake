@@ -407,19 +407,19 @@ function (gatun_add_fuzz_target name)
   endif ()
 endfunction ()
 
-# The objects of the core as a static library, for tests of private functions: a shared library shows
-# its public functions only. Do not link it together with VTK::GatunCore or a module that uses it.
-macro (gatun_add_core_internals)
-  # The targets that Module/CMakeLists.txt found are known below Module/ only.
-  get_property(packages GLOBAL PROPERTY "_vtk_module_find_package_VTK::GatunCore")
-  foreach (package IN LISTS packages ITEMS glm)
-    find_package("${package}" REQUIRED)
-  endforeach ()
-
-  get_target_property(libraries GatunCore LINK_LIBRARIES)
-  get_target_property(folders GatunCore INTERFACE_INCLUDE_DIRECTORIES)
-  add_library(gatunCoreInternals STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:GatunCore>)
-  set_target_properties(gatunCoreInternals PROPERTIES LINKER_LANGUAGE CXX)
-  target_include_directories(gatunCoreInternals PUBLIC ${folders})
-  target_link_libraries(gatunCoreInternals PUBLIC ${libraries})
-endmacro ()
+# The objects of the core as a static library with threads of their own, for tests of private functions: a
+# shared library shows its public functions only. Do not link it together with VTK::GatunCore or a module that
+# uses it.
+function (gatun_add_core_internals)
+  find_package(zstd REQUIRED)
+  find_package(glm REQUIRED)
+  add_library(gatunCoreInternals STATIC EXCLUDE_FROM_ALL
+    "${PROJECT_SOURCE_DIR}/Module/Support/gatunThreadsStandard.cxx"
+    $<TARGET_OBJECTS:gatunObjects>)
+  target_compile_features(gatunCoreInternals PUBLIC cxx_std_20)
+  target_include_directories(gatunCoreInternals PUBLIC
+    $<TARGET_PROPERTY:gatunObjects,INTERFACE_INCLUDE_DIRECTORIES>)
+  target_link_libraries(gatunCoreInternals
+    PUBLIC  glm::glm $<IF:$<TARGET_EXISTS:zstd::libzstd_shared>,zstd::libzstd_shared,zstd::libzstd_static>
+    PRIVATE gatunBuildFlags)
+endfunction ()

@@ -5,6 +5,7 @@
 function (gatun_set_unity_groups target)
   foreach (source IN LISTS ARGN)
     get_filename_component(folder "${source}" DIRECTORY)
+    get_filename_component(folder "${folder}" NAME)
     if (NOT DEFINED "count_${folder}")
       set("count_${folder}" 0)
     endif ()

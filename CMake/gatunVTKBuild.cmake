@@ -33,11 +33,7 @@ set(gatun_vtk_components
   TestingCore
   TestingRendering
   jsoncpp
-  png
-  kissfft)
-if (GATUN_CORE_ONLY)
-  set(gatun_vtk_components CommonCore kissfft)
-endif ()
+  png)
 if (GATUN_WRAP_PYTHON)
   list(APPEND gatun_vtk_components
     Python
@@ -115,19 +111,14 @@ install(
   FILES
     "${CMAKE_BINARY_DIR}/${gatun_cmake_destination}/GatunConfig.cmake"
     "${CMAKE_BINARY_DIR}/${gatun_cmake_destination}/GatunConfigVersion.cmake"
-    "${CMAKE_CURRENT_SOURCE_DIR}/CMake/FindxxHash.cmake"
   DESTINATION "${gatun_cmake_destination}")
 install(FILES LICENSE
   DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
 #--------------------------------------------------------------------------------------------------
 # Pages of the headers
-if (NOT GATUN_CORE_ONLY)
-  include(gatunDoxygen)
-endif ()
+include(gatunDoxygen)
 
 #--------------------------------------------------------------------------------------------------
 # Programs
-if (NOT GATUN_CORE_ONLY)
-  add_subdirectory(Programs)
-endif ()
+add_subdirectory(Programs)

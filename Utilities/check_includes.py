@@ -48,8 +48,8 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 
 def core_folders():
     """The folders of the core in order, each with those that it may include."""
-    order = re.findall(r"^include\((\w+)/files\.cmake\)",
-                       (ROOT / "Module/CMakeLists.txt").read_text(), re.MULTILINE)
+    order = re.search(r"^foreach \(name IN ITEMS\s+([\w ]+)\)",
+                      (ROOT / "Module/core.cmake").read_text(), re.MULTILINE).group(1).split()
     folders = {}
     for name in order:
         text = (ROOT / "Module" / name / "files.cmake").read_text()
@@ -58,7 +58,7 @@ def core_folders():
         for other in named:
             if other not in folders:
                 sys.exit(f"Module/{name}/files.cmake: {other} does not come before {name} "
-                         "in Module/CMakeLists.txt")
+                         "in Module/core.cmake")
         folders[name] = named
     return folders
 

@@ -37,6 +37,7 @@ unsigned long GetCode(const gatun::Error& error)
     case gatun::ErrorCode::UnsupportedVersion:
     case gatun::ErrorCode::InvalidInput:
     case gatun::ErrorCode::Aborted:
+    case gatun::ErrorCode::NotHere:
       break;
   }
   return vtkErrorCode::UserError + static_cast<unsigned long>(error.Code);

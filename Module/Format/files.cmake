@@ -8,6 +8,8 @@ gatun_core_folder(Format
   HEADERS
     gatunFieldData.h
     gatunLayers.h
+  EXPERIMENTAL_HEADERS
+    gatunByteSource.h
   PRIVATE_HEADERS
     gatunAtomicFile.h
     gatunCellMask.h
@@ -16,6 +18,7 @@ gatun_core_folder(Format
     gatunContainer.h
     gatunExtents.h
     gatunFileHandle.h
+    gatunFileSource.h
     gatunInputFile.h
     gatunLayerTable.h
     gatunMeshPages.h
@@ -29,6 +32,7 @@ gatun_core_folder(Format
     gatunTreeTable.h
   SOURCES
     gatunAtomicFile.cxx
+    gatunByteSource.cxx
     gatunCellMask.cxx
     gatunCellTable.cxx
     gatunCompress.cxx
@@ -36,6 +40,7 @@ gatun_core_folder(Format
     gatunExtents.cxx
     gatunFieldTable.cxx
     gatunFileHandle.cxx
+    gatunFileSource.cxx
     gatunInputFile.cxx
     gatunLayerTable.cxx
     gatunMeshPages.cxx

@@ -3,11 +3,11 @@
 
 #include "gatunContainer.h"
 
+#include "gatunByteSource.h"
+
 #include <xxhash.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <new>
 
 namespace gatun
@@ -49,15 +49,10 @@ bool BeginsAs(const std::string& path, const ContainerKind& kind) noexcept
 {
   try
   {
-    if (!std::filesystem::is_regular_file(path))
-    {
-      return false; // opening a pipe would block
-    }
-    std::ifstream in(path, std::ios::binary);
-    std::array<char, FileMagic.size()> begin{};
-    return in.read(begin.data(), begin.size()) &&
-      std::equal(begin.begin(), begin.end(), kind.FileMagic.begin(),
-        [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
+    const auto source = OpenFile(path);
+    std::array<std::uint8_t, FileMagic.size()> begin{};
+    std::span<std::uint8_t> rest(begin);
+    return source->ReadAt(0, rest) == 0 && rest.empty() && begin == kind.FileMagic;
   }
   catch (...)
   {

@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace gatun
@@ -26,6 +27,28 @@ int FileHandle::Open(const std::string& path, int flags, ::mode_t mode)
     this->Descriptor = ::open(path.c_str(), flags | O_CLOEXEC, mode);
   } while (this->Descriptor < 0 && errno == EINTR);
   return this->IsOpen() ? 0 : errno;
+}
+
+//------------------------------------------------------------------------------
+int FileHandle::OpenToRead(const std::string& path, Kind& kind, std::uint64_t& size)
+{
+  // Without O_NONBLOCK, opening a pipe would block.
+  if (const int error = this->Open(path, O_RDONLY | O_NONBLOCK))
+  {
+    return error;
+  }
+  struct stat status
+  {
+  };
+  if (::fstat(this->Descriptor, &status) != 0)
+  {
+    return errno;
+  }
+  kind = S_ISREG(status.st_mode) ? Kind::Regular
+    : S_ISDIR(status.st_mode)    ? Kind::Folder
+                                 : Kind::Other;
+  size = static_cast<std::uint64_t>(status.st_size);
+  return 0;
 }
 
 //------------------------------------------------------------------------------

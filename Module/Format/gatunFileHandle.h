@@ -13,7 +13,8 @@
 namespace gatun
 {
 /**
- * Owner of a POSIX file descriptor. The only class that reads and writes files by system calls.
+ * Owner of a POSIX file descriptor. The only class that reads and writes files by system calls;
+ * AtomicFile gives them their names.
  *
  * Methods repeat calls that a signal interrupts. They return 0 on success and the value of errno on
  * failure; callers turn it into an Error that names file and purpose.
@@ -25,6 +26,17 @@ public:
   ~FileHandle();
   FileHandle(const FileHandle&) = delete;
   FileHandle& operator=(const FileHandle&) = delete;
+
+  /** What a name of the file system can be. */
+  enum class Kind
+  {
+    Regular,
+    Folder,
+    Other // a pipe or a device
+  };
+
+  /** Opens whatever there is for reading, and tells what it is and how many bytes a file has. */
+  int OpenToRead(const std::string& path, Kind& kind, std::uint64_t& size);
 
   /** Opens a file; O_CLOEXEC is added to the flags. The umask applies to mode. */
   int Open(const std::string& path, int flags, ::mode_t mode = 0);

@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <array>
-
-#include <fcntl.h>
-#include <sys/stat.h>
+#include <utility>
 
 namespace gatun
 {
@@ -26,26 +24,13 @@ std::string ToText(FourCC name)
 }
 
 //------------------------------------------------------------------------------
-InputFile::InputFile(const std::string& path, const ContainerKind& kind)
+InputFile::InputFile(
+  std::shared_ptr<const ByteSource> source, const std::string& path, const ContainerKind& kind)
   : Kind(kind)
   , Path(path)
-  , Handle(std::make_shared<FileHandle>())
+  , Source(std::move(source))
+  , Size(this->Source->GetSize())
 {
-  // Without O_NONBLOCK, opening a pipe would block.
-  if (const int error = this->Handle->Open(path, O_RDONLY | O_NONBLOCK))
-  {
-    this->Fail(ErrorCode::CannotOpen, "cannot open", {}, {}, error);
-  }
-  struct stat status
-  {
-  };
-  if (::fstat(this->Handle->GetDescriptor(), &status) != 0 || !S_ISREG(status.st_mode))
-  {
-    this->Fail(ErrorCode::CannotOpen,
-      S_ISDIR(status.st_mode) ? "cannot open: is a directory"
-                              : "cannot open: is not a regular file");
-  }
-  this->Size = static_cast<std::uint64_t>(status.st_size);
   this->ReadDirectory();
 }
 
@@ -54,7 +39,7 @@ InputFile::InputFile(const InputFile& whole, const StreamRef& section, const std
   : Kind(whole.Kind)
   , Path(whole.Path)
   , Part(name)
-  , Handle(whole.Handle)
+  , Source(whole.Source)
   , Base(whole.Base + section.Offset)
   , Extents(whole.Extents)
   , Size(section.Length)
@@ -128,8 +113,17 @@ void InputFile::ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) cons
     const auto length =
       static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), place.Length));
     auto rest = bytes.first(length);
-    const int error = this->Handle->ReadAt(place.Offset, rest);
+    const int error = this->Source->ReadAt(place.Offset, rest);
     const auto reached = offset + (length - rest.size());
+    if (error == ByteSource::NotHere)
+    {
+      throw Error(ErrorCode::NotHere,
+        { .Path = this->Path,
+          .Part = this->Part,
+          .What = "bytes that are needed are not here yet: " + std::to_string(rest.size()),
+          .Offset = this->Locate(reached).Offset,
+          .Length = rest.size() });
+    }
     if (error != 0)
     {
       this->Fail(ErrorCode::CannotOpen, "cannot read", reached, {}, error);
@@ -208,6 +202,23 @@ std::optional<StreamRef> InputFile::FindInWhole(const StreamRef& stream) const
   return place.Length < stream.Length
     ? std::nullopt
     : std::optional(StreamRef{ place.Offset, stream.Length, stream.Sum });
+}
+
+//------------------------------------------------------------------------------
+void InputFile::AddRanges(const StreamRef& stream, std::vector<ByteRange>& ranges) const
+{
+  this->CheckInside(stream, "a stream");
+  for (std::uint64_t done = 0; done < stream.Length;)
+  {
+    const auto place = this->Locate(stream.Offset + done);
+    const auto length = std::min(stream.Length - done, place.Length);
+    ranges.push_back({ place.Offset, length });
+    if (length == 0)
+    {
+      return;
+    }
+    done += length;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -4,10 +4,10 @@
 #ifndef gatunInputFile_h
 #define gatunInputFile_h
 
+#include "gatunByteSource.h"
 #include "gatunContainer.h"
 #include "gatunError.h"
 #include "gatunExtents.h"
-#include "gatunFileHandle.h"
 
 #include <atomic>
 #include <cstdint>
@@ -25,7 +25,15 @@ namespace gatun
 class InputFile
 {
 public:
-  explicit InputFile(const std::string& path, const ContainerKind& kind = MeshContainer);
+  /** path: the name of the source in messages. */
+  InputFile(std::shared_ptr<const ByteSource> source, const std::string& path,
+    const ContainerKind& kind = MeshContainer);
+
+  /** A file on disk. */
+  explicit InputFile(const std::string& path, const ContainerKind& kind = MeshContainer)
+    : InputFile(OpenFile(path), path, kind)
+  {
+  }
 
   /** A file that is embedded in another one as a section. Messages add the name to the path. */
   InputFile(const InputFile& whole, const StreamRef& section, const std::string& name);
@@ -51,7 +59,10 @@ public:
   std::optional<StreamRef> FindInWhole(const StreamRef& stream) const;
 
   /** That of the whole file. */
-  const FileHandle& GetHandle() const { return *this->Handle; }
+  const ByteSource& GetSource() const { return *this->Source; }
+
+  /** Adds where a stream is in the whole file. */
+  void AddRanges(const StreamRef& stream, std::vector<ByteRange>& ranges) const;
 
   /** The payloads of the sections of a name. */
   std::vector<StreamRef> FindSections(FourCC name) const;
@@ -102,7 +113,7 @@ private:
   const ContainerKind& Kind;
   std::string Path;
   std::string Part;                         // the name of an embedded file
-  std::shared_ptr<FileHandle> Handle;       // of the whole file, for all files in it
+  std::shared_ptr<const ByteSource> Source; // of the whole file, for all files in it
   std::uint64_t Base = 0;                   // the position of an embedded file
   std::shared_ptr<const ExtentMap> Extents; // in which that is, if it is not in one piece
   std::uint64_t Size = 0;

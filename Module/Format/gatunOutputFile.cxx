@@ -3,6 +3,8 @@
 
 #include "gatunOutputFile.h"
 
+#include "gatunFileSource.h"
+
 #include <algorithm>
 #include <functional>
 
@@ -26,6 +28,17 @@ void ReadInParts(const AtomicFile& file, std::uint64_t begin, std::uint64_t leng
     use(std::span<const std::uint8_t>(bytes));
   }
 }
+
+const FileHandle& GetHandle(const InputFile& file)
+{
+  const auto* source = dynamic_cast<const FileSource*>(&file.GetSource());
+  if (!source)
+  {
+    throw Error(ErrorCode::CannotWrite,
+      { .Path = file.GetPath(), .What = "only a file on disk can be replaced" });
+  }
+  return source->GetHandle();
+}
 }
 
 //------------------------------------------------------------------------------
@@ -39,7 +52,7 @@ OutputFile::OutputFile(const std::string& path, const ContainerKind& kind)
 //------------------------------------------------------------------------------
 OutputFile::OutputFile(const InputFile& before, FourCC outdated)
   : Kind(MeshContainer)
-  , Data(before.GetPath(), before.GetHandle())
+  , Data(before.GetPath(), GetHandle(before))
   , Header(MakeHeader(MeshContainer))
 {
   for (SectionRef section : before.GetSections())

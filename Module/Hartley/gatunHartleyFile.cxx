@@ -35,7 +35,7 @@ std::string GetChunkName(std::size_t chunk)
 //------------------------------------------------------------------------------
 struct HartleyFile::Internals
 {
-  explicit Internals(const std::string& path);
+  Internals(std::shared_ptr<const ByteSource> source, const std::string& name);
 
   const HartleyLayout& GetLayout() const { return this->Meta.Layout; }
   std::shared_ptr<const HartleyOrder> GetOrder() const;
@@ -60,8 +60,8 @@ private:
 };
 
 //------------------------------------------------------------------------------
-HartleyFile::Internals::Internals(const std::string& path)
-  : File(path, VolumeContainer)
+HartleyFile::Internals::Internals(std::shared_ptr<const ByteSource> source, const std::string& name)
+  : File(std::move(source), name, VolumeContainer)
 {
   const auto meta = this->File.FindSection(SectionMeta, MetaName);
   this->Meta = this->File.Guarded(
@@ -213,7 +213,13 @@ bool HartleyFile::CanRead(const std::string& path) noexcept
 
 //------------------------------------------------------------------------------
 HartleyFile::HartleyFile(const std::string& path)
-  : Data(std::make_unique<Internals>(path))
+  : HartleyFile(OpenFile(path), path)
+{
+}
+
+//------------------------------------------------------------------------------
+HartleyFile::HartleyFile(std::shared_ptr<const ByteSource> source, const std::string& name)
+  : Data(std::make_unique<Internals>(std::move(source), name))
 {
 }
 

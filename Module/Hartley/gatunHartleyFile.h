@@ -14,6 +14,8 @@
 
 namespace gatun
 {
+class ByteSource;
+
 /** Parameters of WriteHartleyFile. */
 struct HartleyWriterOptions
 {
@@ -45,6 +47,9 @@ public:
   static bool CanRead(const std::string& path) noexcept;
 
   explicit HartleyFile(const std::string& path);
+
+  /** Bytes from elsewhere than a file on disk. name: that of the source in messages. */
+  HartleyFile(std::shared_ptr<const ByteSource> source, const std::string& name);
   ~HartleyFile() override;
   HartleyFile(const HartleyFile&) = delete;
   HartleyFile& operator=(const HartleyFile&) = delete;

@@ -16,8 +16,8 @@
 namespace gatun
 {
 //------------------------------------------------------------------------------
-FileReader::Internals::Internals(const std::string& path)
-  : File(path)
+FileReader::Internals::Internals(std::shared_ptr<const ByteSource> source, const std::string& name)
+  : File(std::move(source), name)
 {
   this->Read();
   if (!this->Masks.empty() && this->Series.empty())
@@ -230,7 +230,12 @@ bool FileReader::IsSurfaceFile(const std::string& path) noexcept
 }
 
 FileReader::FileReader(const std::string& path)
-  : Self(std::make_shared<const Internals>(path))
+  : FileReader(OpenFile(path), path)
+{
+}
+
+FileReader::FileReader(std::shared_ptr<const ByteSource> source, const std::string& name)
+  : Self(std::make_shared<const Internals>(std::move(source), name))
 {
   KeepFreedMemory();
 }

@@ -21,6 +21,7 @@ struct CellMask;
 struct RemainingCounts;
 struct Quantizer;
 
+class ByteSource;
 class MergeDependencies;
 
 /**
@@ -41,6 +42,9 @@ public:
   static bool IsSurfaceFile(const std::string& path) noexcept;
 
   explicit FileReader(const std::string& path);
+
+  /** Bytes from elsewhere than a file on disk. name: that of the source in messages. */
+  FileReader(std::shared_ptr<const ByteSource> source, const std::string& name);
   ~FileReader();
   FileReader(const FileReader&) = delete;
   FileReader& operator=(const FileReader&) = delete;

@@ -26,7 +26,7 @@ namespace gatun
 class FileReader::Internals
 {
 public:
-  explicit Internals(const std::string& path);
+  Internals(std::shared_ptr<const ByteSource> source, const std::string& name);
 
   /** A base mesh of a file. */
   Internals(const Internals& whole, std::size_t level);

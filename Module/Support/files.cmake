@@ -30,6 +30,7 @@ gatun_core_folder(Support
     gatunProcessors.h
     gatunSimd.h
     gatunSpread.h
+    gatunThreads.h
     gatunVector.h
     gatunWithType.h
   SOURCES
@@ -44,5 +45,6 @@ gatun_core_folder(Support
     gatunParallel.cxx
     gatunPrintable.cxx
     gatunProcessors.cxx
+    gatunThreads.cxx
     gatunValueHistogram.cxx
     gatunVersion.cxx)

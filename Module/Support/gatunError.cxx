@@ -53,6 +53,7 @@ Error::Error(ErrorCode code, const ErrorDetails& details)
   , SystemError(details.SystemError)
   , Path(details.Path)
   , Offset(details.Offset)
+  , Length(details.Length)
 {
 }
 

@@ -26,7 +26,8 @@ enum class ErrorCode
   Corrupt = 5,            ///< wrong checksum, or content that the format does not allow
   CannotWrite = 6,        ///< no permission, disk full, missing folder
   InvalidInput = 7,       ///< the caller passed an unusable mesh or parameter
-  Aborted = 8             ///< the caller asked to stop
+  Aborted = 8,            ///< the caller asked to stop
+  NotHere = 9             ///< bytes that the source of a file does not have yet (ByteSource)
 };
 
 /**
@@ -41,6 +42,7 @@ struct ErrorDetails
   std::optional<std::uint64_t> Offset = {}; ///< position in the file, in bytes
   std::string Problem = {};                 ///< predicate of What, such as "is damaged"
   int SystemError = 0;                      ///< value of errno, or 0
+  std::uint64_t Length = 0;                 ///< of the bytes that are not here; not in the message
 };
 
 /**
@@ -69,6 +71,9 @@ public:
 
   /** Position in the file, in bytes. */
   std::optional<std::uint64_t> Offset;
+
+  /** The number of bytes from there that are not here yet: for NotHere. */
+  std::uint64_t Length = 0;
 };
 
 /** Throws Error(Corrupt) for content that no well-formed file has. Hot loops keep it out of line.

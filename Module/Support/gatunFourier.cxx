@@ -3,36 +3,29 @@
 
 #include "gatunFourier.h"
 
-#include <vtk_kissfft.h>
-// clang-format off
-#include VTK_KISSFFT_HEADER(kiss_fft.h)
-#include VTK_KISSFFT_HEADER(tools/kiss_fftndr.h)
-// clang-format on
+#include <kissfft.hh>
 
-#include <new>
-#include <type_traits>
+#include <numbers>
+#include <vector>
 
 namespace gatun
 {
-static_assert(std::is_same_v<kiss_fft_scalar, double>, "VTK's KissFFT works in double precision");
-
 namespace
 {
+using Complex = std::complex<double>;
+using Plan = kissfft<double>;
+}
+
 //------------------------------------------------------------------------------
-template <typename Plan>
-Plan* Check(Plan* plan)
+struct FourierTransform::Internals
 {
-  if (!plan)
-  {
-    throw std::bad_alloc();
-  }
-  return plan;
-}
-}
+  Plan Whole;
+  bool IsShared; // whether several threads may use the plan: other factors need its memory
+};
 
 //------------------------------------------------------------------------------
 FourierTransform::FourierTransform(std::size_t size)
-  : Plan(Check(kiss_fft_alloc(static_cast<int>(size), 0, nullptr, nullptr)))
+  : Self(new Internals{ Plan(size, false), GetFastSize(size) == size })
 {
 }
 
@@ -40,39 +33,99 @@ FourierTransform::FourierTransform(std::size_t size)
 FourierTransform::~FourierTransform() = default;
 
 //------------------------------------------------------------------------------
-void FourierTransform::Free::operator()(void* plan) const
+void FourierTransform::Forward(const Complex* in, Complex* out) const
 {
-  kiss_fft_free(plan);
+  if (this->Self->IsShared)
+  {
+    this->Self->Whole.transform(in, out);
+    return;
+  }
+  const Plan own = this->Self->Whole;
+  own.transform(in, out);
 }
 
 //------------------------------------------------------------------------------
-void FourierTransform::Forward(const std::complex<double>* in, std::complex<double>* out) const
+struct InversePlaneTransform::Internals
 {
-  kiss_fft(static_cast<kiss_fft_cfg>(this->Plan.get()), reinterpret_cast<const kiss_fft_cpx*>(in),
-    reinterpret_cast<kiss_fft_cpx*>(out));
-}
+  Internals(std::size_t height, std::size_t width)
+    : Columns(height, true)
+    , Rows(width / 2, true)
+    , Height(height)
+    , Half(width / 2)
+    , In(height)
+    , Out(height)
+    , Twiddles(width / 2)
+  {
+    for (std::size_t u = 0; u < this->Half; ++u)
+    {
+      this->Twiddles[u] =
+        std::polar(1., std::numbers::pi * static_cast<double>(u) / static_cast<double>(this->Half));
+    }
+  }
+
+  void TransformColumn(Complex* first)
+  {
+    const std::size_t stride = this->Half + 1;
+    for (std::size_t v = 0; v < this->Height; ++v)
+    {
+      this->In[v] = first[v * stride];
+    }
+    this->Columns.transform(this->In.data(), this->Out.data());
+    for (std::size_t v = 0; v < this->Height; ++v)
+    {
+      first[v * stride] = this->Out[v];
+    }
+  }
+
+  /** The even and the odd values of a row are the real and imaginary parts of a row of half the
+   * size, whose spectrum this makes of that of the row. */
+  void TransformRow(Complex* row, double* out)
+  {
+    for (std::size_t u = 0; u <= this->Half / 2; ++u)
+    {
+      const auto here = row[u];
+      const auto there = std::conj(row[this->Half - u]);
+      const auto even = here + there;
+      const auto odd = (here - there) * this->Twiddles[u];
+      const Complex turned{ -odd.imag(), odd.real() };
+      row[u] = even + turned;
+      if (u > 0)
+      {
+        row[this->Half - u] = std::conj(even - turned);
+      }
+    }
+    this->Rows.transform(row, reinterpret_cast<Complex*>(out));
+  }
+
+  const Plan Columns;
+  const Plan Rows;
+  const std::size_t Height;
+  const std::size_t Half;
+  std::vector<Complex> In, Out;
+  std::vector<Complex> Twiddles;
+};
 
 //------------------------------------------------------------------------------
 InversePlaneTransform::InversePlaneTransform(std::size_t height, std::size_t width)
+  : Self(std::make_unique<Internals>(height, width))
 {
-  const int sizes[2] = { static_cast<int>(height), static_cast<int>(width) };
-  this->Plan.reset(Check(kiss_fftndr_alloc(sizes, 2, 1, nullptr, nullptr)));
 }
 
 //------------------------------------------------------------------------------
 InversePlaneTransform::~InversePlaneTransform() = default;
 
 //------------------------------------------------------------------------------
-void InversePlaneTransform::Free::operator()(void* plan) const
+void InversePlaneTransform::Run(Complex* in, double* out)
 {
-  kiss_fftndr_free(plan);
-}
-
-//------------------------------------------------------------------------------
-void InversePlaneTransform::Run(std::complex<double>* in, double* out)
-{
-  kiss_fftndri(
-    static_cast<kiss_fftndr_cfg>(this->Plan.get()), reinterpret_cast<const kiss_fft_cpx*>(in), out);
+  auto& self = *this->Self;
+  for (std::size_t u = 0; u <= self.Half; ++u)
+  {
+    self.TransformColumn(in + u);
+  }
+  for (std::size_t v = 0; v < self.Height; ++v)
+  {
+    self.TransformRow(in + v * (self.Half + 1), out + v * 2 * self.Half);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -24,11 +24,8 @@ public:
   void Forward(const std::complex<double>* in, std::complex<double>* out) const;
 
 private:
-  struct Free
-  {
-    void operator()(void* plan) const;
-  };
-  std::unique_ptr<void, Free> Plan;
+  struct Internals;
+  std::unique_ptr<const Internals> Self;
 };
 
 /** Transforms spectra of real images back to images: out[y][x] = sum over v, u of F(v, u)
@@ -43,11 +40,8 @@ public:
   void Run(std::complex<double>* in, double* out);
 
 private:
-  struct Free
-  {
-    void operator()(void* plan) const;
-  };
-  std::unique_ptr<void, Free> Plan;
+  struct Internals;
+  std::unique_ptr<Internals> Self;
 };
 
 /** The smallest size that is not below the given one and has no prime factor above 5. */

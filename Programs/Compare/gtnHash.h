@@ -3,7 +3,6 @@
 #ifndef gtnHash_h
 #define gtnHash_h
 
-#define XXH_INLINE_ALL
 #include <xxhash.h>
 
 #include <compare>

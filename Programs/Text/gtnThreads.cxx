@@ -5,6 +5,8 @@
 
 #include "gatunParallel.h"
 
+#include <vtkSMPTools.h>
+
 #include <algorithm>
 #include <thread>
 
@@ -37,6 +39,6 @@ void WithThreads(int count, const std::function<void()>& work)
 //------------------------------------------------------------------------------
 std::string ThreadBackend()
 {
-  return gatun::GetThreadBackend();
+  return vtkSMPTools::GetBackend();
 }
 }

@@ -6,6 +6,7 @@
 #include "gatunFileReader.h"
 #include "gatunFileReaderInternals.h"
 #include "gatunMergeDependencies.h"
+#include "gatunParallel.h"
 #include "gatunPieceDecoder.h"
 #include "gatunVerifyFile.h"
 
@@ -228,7 +229,7 @@ void MemoryFile::Set(std::span<const std::uint8_t> bytes)
 
 void UseOneThread()
 {
-  ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 0);
+  SetNumberOfThreads(1);
 }
 
 bool DecodeFile(const std::string& path)

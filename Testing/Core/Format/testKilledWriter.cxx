@@ -4,6 +4,7 @@
 // Processes that are killed while they write a file.
 
 #include "gatunHostile.h"
+#include "gatunParallel.h"
 #include "gatunVerifyFile.h"
 
 #include <cerrno>
@@ -71,8 +72,7 @@ int RunInChild(const std::function<bool()>& run, std::chrono::microseconds killA
   const ::pid_t child = ::fork();
   if (child == 0)
   {
-    // No threads: they do not survive a fork, and some backends do not start new ones.
-    ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 1);
+    SetNumberOfThreads(1); // for a file that is the same in each run
     bool ok = false;
     try
     {
