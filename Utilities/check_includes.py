@@ -23,7 +23,6 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 CORE = "core"
 LAYERS = {
     "IO/Bridge": [CORE],
-    "IO/Description": [CORE, "IO/Bridge"],
     "IO": [CORE, "IO/Bridge", "IO/Description"],
     "Filters/TetGen": [CORE, "IO/Bridge"],
     "Filters": [CORE, "IO/Bridge", "IO"],
@@ -31,12 +30,12 @@ LAYERS = {
     "Programs/Text": [CORE, "IO/Description"],
     "Programs/Output": [CORE, "IO/Bridge", "IO", "Filters", "Rendering", "Programs/Text"],
     "Programs/Ranges": [CORE, "IO/Bridge", "IO", "Programs/Text"],
-    "Programs/Input": [CORE, "IO/Bridge", "IO/Description", "IO", "Filters", "Rendering", "Programs/Text",
+    "Programs/Input": [CORE, "IO/Bridge", "IO", "Filters", "Rendering", "Programs/Text",
                        "Programs/Output", "Programs/Ranges"],
-    "Programs/Options": [CORE, "IO/Bridge", "IO/Description", "IO", "Filters", "Rendering", "Programs/Text",
+    "Programs/Options": [CORE, "IO/Bridge", "IO", "Filters", "Rendering", "Programs/Text",
                          "Programs/Output", "Programs/Ranges", "Programs/Input"],
     "Programs/Compare": [CORE, "IO/Bridge", "IO", "Programs/Text"],
-    "Programs": [CORE, "IO/Bridge", "IO/Description", "IO", "Filters", "Filters/TetGen",
+    "Programs": [CORE, "IO/Bridge", "IO", "Filters", "Filters/TetGen",
                  "Rendering",
                  "Programs/Text", "Programs/Output", "Programs/Ranges", "Programs/Input",
                  "Programs/Options", "Programs/Compare"],

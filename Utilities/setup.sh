@@ -47,8 +47,8 @@ fi
 launcher=() # of the compiler
 
 packages_build=(
-  cmake g++ libcli11-dev libfmt-dev libglm-dev libkissfft-dev libopenimageio-dev libtet1.5-dev
-  libvtk9-dev libx11-dev libxxhash-dev libzstd-dev ninja-build pkg-config python3-numpy python3-vtk9)
+  cmake g++ libcli11-dev libfmt-dev libglm-dev libjsoncpp-dev libkissfft-dev libopenimageio-dev
+  libtet1.5-dev libvtk9-dev libx11-dev libxxhash-dev libzstd-dev ninja-build pkg-config python3-numpy python3-vtk9)
 packages_window=(libgl1-mesa-dri xauth xvfb)
 packages_test=(
   desktop-file-utils doxygen git libglib2.0-bin libgtest-dev man-db mypy openimageio-tools python3-h5py python3-meshio
