@@ -62,8 +62,7 @@ public:
     const auto length = static_cast<std::size_t>(std::min<std::uint64_t>(rest, bytes.size()));
     if (length > 0)
     {
-      if (const int error =
-            this->Source.read(this->Source.user, offset, bytes.data(), length))
+      if (const int error = this->Source.read(this->Source.user, offset, bytes.data(), length))
       {
         return error == GATUN_SOURCE_NOT_HERE ? NotHere : error;
       }
@@ -206,8 +205,8 @@ KeyList::KeyList(const std::vector<ArrayKey>& keys)
     own.location = key.Location.c_str();
     own.name = key.Name.c_str();
     own.kind = static_cast<std::uint32_t>(key.Kind);
-    own.count = static_cast<std::uint32_t>(
-      IsOfTexts(key.Kind) ? key.Texts.size() : key.Numbers.size());
+    own.count =
+      static_cast<std::uint32_t>(IsOfTexts(key.Kind) ? key.Texts.size() : key.Numbers.size());
     own.numbers = IsOfTexts(key.Kind) ? nullptr : key.Numbers.data();
     own.texts = this->Texts.emplace_back(key.Texts).Get();
     this->List.push_back(own);

@@ -57,7 +57,8 @@ void NeedPointers(const Pointers*... pointers)
   Need((... && (pointers != nullptr)), "a pointer that is needed is null");
 }
 
-/** The members of a structure of the caller that the caller knows; the others are 0. Null: all are 0.
+/** The members of a structure of the caller that the caller knows; the others are 0. Null: all are
+ * 0.
  */
 template <typename T>
 T Take(const T* from)

@@ -107,8 +107,8 @@ struct Camera
     this->View.Right = Normalized(Cross(up, this->View.Back));
     this->View.Up = Cross(this->View.Back, this->View.Right);
     this->View.IsParallel = image.parallel_scale > 0;
-    this->View.TangentOfHalfAngle =
-      std::tan((image.view_angle > 0 ? image.view_angle : DefaultViewAngle) * std::numbers::pi / 360);
+    this->View.TangentOfHalfAngle = std::tan(
+      (image.view_angle > 0 ? image.view_angle : DefaultViewAngle) * std::numbers::pi / 360);
     this->View.Aspect = static_cast<double>(image.width) / image.height;
     this->Scale = image.parallel_scale;
     if (!isGiven)
@@ -163,8 +163,8 @@ private:
 class Transfer
 {
 public:
-  Transfer(const gatun_image& image, double unitDistance, RaySource& source,
-    const Range& range, const RaySource::Progress& progress)
+  Transfer(const gatun_image& image, double unitDistance, RaySource& source, const Range& range,
+    const RaySource::Progress& progress)
   {
     Need(image.colors || image.color_count == 0, "the colors are missing");
     Need(image.opacities || image.opacity_count == 0, "the opacities are missing");
@@ -180,8 +180,8 @@ public:
       const auto& values = defaults->Colors;
       for (const auto& color : GetDefaultColors())
       {
-        this->Colors.push_back({ values.Min + color.Value * (values.Max - values.Min),
-          color.RGB[0], color.RGB[1], color.RGB[2] });
+        this->Colors.push_back({ values.Min + color.Value * (values.Max - values.Min), color.RGB[0],
+          color.RGB[1], color.RGB[2] });
       }
     }
     if (this->Opacities.empty())
@@ -296,8 +296,8 @@ gatun_status gatun_render(gatun_file* file, const gatun_image* image, const gatu
       constexpr std::uint32_t most = 1u << 15;
       Need(own.width > 0 && own.height > 0 && own.width <= most && own.height <= most,
         "the image has no size, or more than 32768 pixels along a side");
-      auto* const to = TakeBuffer<float>(*rgba,
-        Product(Product(own.width, own.height), 4 * sizeof(float)), "the image");
+      auto* const to = TakeBuffer<float>(
+        *rgba, Product(Product(own.width, own.height), 4 * sizeof(float)), "the image");
       Need(to != nullptr, "there is no buffer for the image");
       Render(*file, own, to, WrapProgress(progress, user));
     });

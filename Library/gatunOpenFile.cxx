@@ -166,8 +166,8 @@ gatun_status gatun_describe(
     [&]
     {
       NeedPointers(file, length);
-      GiveText(WriteJson(DescribeMesh(file->GetFile(), verbose != 0).GetJson()), text, capacity,
-        length);
+      GiveText(
+        WriteJson(DescribeMesh(file->GetFile(), verbose != 0).GetJson()), text, capacity, length);
     });
 }
 
@@ -178,10 +178,11 @@ gatun_status gatun_get_array(gatun_file* file, uint32_t array, gatun_array* desc
     {
       NeedPointers(file, description);
       const auto& from = file->GetFile();
-      const auto number = std::min<std::size_t>(array, from.GetArrays().size());
-      Need(number == array || array == GATUN_POINT_ARRAY, "the file has no such array");
+      const bool isPoints = array == GATUN_POINT_ARRAY;
+      Need(isPoints || array < from.GetArrays().size(), "the file has no such array");
+      const std::size_t number = isPoints ? from.GetArrays().size() : array;
       gatun_array own{};
-      if (number == array)
+      if (!isPoints)
       {
         const auto& named = from.GetArrays()[number];
         own.name = named.Name.c_str();

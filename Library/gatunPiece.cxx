@@ -96,8 +96,8 @@ private:
         std::max(this->Cells->GetNumberOfPoints(), this->Cells->GetConnectivitySize()) <=
           0x7fffffff,
       "ids of 32 bits are too small for this piece");
-    target.Connectivity = TakeBuffer(from.connectivity,
-      Product(this->Cells->GetConnectivitySize(), id), "the connectivity");
+    target.Connectivity = TakeBuffer(
+      from.connectivity, Product(this->Cells->GetConnectivitySize(), id), "the connectivity");
     if (this->Cells->IsTetrahedral())
     {
       return;
@@ -121,8 +121,7 @@ private:
 };
 
 template <typename Decoder>
-std::unique_ptr<gatun_piece> MakePiece(
-  std::unique_ptr<Decoder> decoder, const FoundRequest& found)
+std::unique_ptr<gatun_piece> MakePiece(std::unique_ptr<Decoder> decoder, const FoundRequest& found)
 {
   return std::make_unique<CellPiece<Decoder>>(std::move(decoder), found);
 }
@@ -150,12 +149,11 @@ FoundRequest::FoundRequest(gatun_file& file, const gatun_request& from)
   }
   this->Request.GhostLevels = from.ghost_levels;
   this->Request.WithUnusedPoints = (from.flags & GATUN_UNUSED_POINTS) != 0 && from.piece == 0;
-  this->Request.Form =
-    from.flags & GATUN_TETRAHEDRA ? PieceForm::Tetrahedra : PieceForm::Original;
+  this->Request.Form = from.flags & GATUN_TETRAHEDRA ? PieceForm::Tetrahedra : PieceForm::Original;
   this->Request.RestoreOrder = (from.flags & GATUN_RESTORE_ORDER) != 0;
   Need(from.array_count == 0 || from.arrays, "the numbers of the arrays are missing");
-  Need(from.array_count == 0 || place.Step < this->File->GetNumberOfSteps(),
-    "the file has no values");
+  Need(
+    from.array_count == 0 || place.Step < this->File->GetNumberOfSteps(), "the file has no values");
   for (std::size_t i = 0; i < from.array_count; ++i)
   {
     const auto number = from.arrays[i];
@@ -183,8 +181,9 @@ std::vector<void*> gatun_piece::TakeArrays(const gatun_buffers& from,
   {
     const auto& array = arrays[i];
     const auto tuples = array.Where == Association::Point ? points : cells;
-    list.push_back(TakeBuffer(from.arrays[i],
-      Product(tuples, Product(array.Components, SizeOf(array.Type))), "array '" + array.Name + "'"));
+    list.push_back(
+      TakeBuffer(from.arrays[i], Product(tuples, Product(array.Components, SizeOf(array.Type))),
+        "array '" + array.Name + "'"));
   }
   return list;
 }

@@ -39,7 +39,7 @@ struct FoundRequest
 {
   FoundRequest(gatun_file& file, const gatun_request& request);
 
-  std::shared_ptr<SharedFile> Mesh; // or its boundary
+  std::shared_ptr<SharedFile> Mesh;       // or its boundary
   std::shared_ptr<const FileReader> File; // the mesh or a base mesh of it
   gatun::Region Region;
   bool IsExact = false;

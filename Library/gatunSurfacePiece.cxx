@@ -44,8 +44,8 @@ public:
   {
     const auto sizes = this->GetSizes();
     const std::uint64_t id = from.wide_ids ? sizeof(std::int64_t) : sizeof(std::int32_t);
-    Need(from.wide_ids || sizes.points <= 0x7fffffff,
-      "ids of 32 bits are too small for this surface");
+    Need(
+      from.wide_ids || sizes.points <= 0x7fffffff, "ids of 32 bits are too small for this surface");
     if (void* to = TakeBuffer(
           from.points, Product(sizes.points, 3 * SizeOf(this->CoordinateType)), "the points"))
     {
@@ -56,8 +56,8 @@ public:
     {
       this->Triangles.FillTriangles(to, from.wide_ids != 0);
     }
-    if (auto* to = TakeBuffer<float>(
-          from.normals, Product(sizes.points, 3 * sizeof(float)), "the normals"))
+    if (auto* to =
+          TakeBuffer<float>(from.normals, Product(sizes.points, 3 * sizeof(float)), "the normals"))
     {
       Need(this->HasNormals, "normals were not asked for");
       this->Triangles.FillNormals(to);
@@ -133,8 +133,8 @@ gatun_status gatun_prepare_contour(gatun_file* file, const gatun_request* reques
 }
 
 //------------------------------------------------------------------------------
-gatun_status gatun_prepare_slice(gatun_file* file, const gatun_request* request,
-  gatun_sizes* sizes, gatun_progress progress, void* user, gatun_piece** piece)
+gatun_status gatun_prepare_slice(gatun_file* file, const gatun_request* request, gatun_sizes* sizes,
+  gatun_progress progress, void* user, gatun_piece** piece)
 {
   return Guard(
     [&]
@@ -153,8 +153,8 @@ gatun_status gatun_prepare_slice(gatun_file* file, const gatun_request* request,
       }
       Need(length > 0, "the normal of the plane is 0");
       const auto type = found.File->GetCoordinateType();
-      auto made = std::make_unique<TrianglePiece>(ExtractSlice(found.MakeCache(), found.Request,
-                                                    plane, type, WrapProgress(progress, user)),
+      auto made = std::make_unique<TrianglePiece>(
+        ExtractSlice(found.MakeCache(), found.Request, plane, type, WrapProgress(progress, user)),
         type, false, found.Arrays);
       Give(made->GetSizes(), sizes);
       *piece = made.release();

@@ -132,21 +132,21 @@ gatun_status gatun_describe_volume(
 }
 
 //------------------------------------------------------------------------------
-gatun_status gatun_plan_voxels(gatun_volume* volume, const uint32_t first[3],
-  const uint32_t end[3], uint64_t gap, gatun_range* ranges, size_t capacity, size_t* count)
+gatun_status gatun_plan_voxels(gatun_volume* volume, const uint32_t first[3], const uint32_t end[3],
+  uint64_t gap, gatun_range* ranges, size_t capacity, size_t* count)
 {
   return Guard(
     [&]
     {
       NeedPointers(volume, first, end, count);
-      GiveRanges(volume->File->GetByteRanges(
-                   { first[0], first[1], first[2] }, { end[0], end[1], end[2] }),
+      GiveRanges(
+        volume->File->GetByteRanges({ first[0], first[1], first[2] }, { end[0], end[1], end[2] }),
         {}, gap, ranges, capacity, count);
     });
 }
 
-gatun_status gatun_read_voxels(gatun_volume* volume, const uint32_t first[3],
-  const uint32_t end[3], const gatun_buffer* values, gatun_progress progress, void* user)
+gatun_status gatun_read_voxels(gatun_volume* volume, const uint32_t first[3], const uint32_t end[3],
+  const gatun_buffer* values, gatun_progress progress, void* user)
 {
   return Guard(
     [&]

@@ -315,8 +315,7 @@ gatun_status gatun_write_step(
           const auto from = Take(values);
           const bool isWhole = !from.remaining_cells;
           const auto remaining = isWhole ? RemainingCells() : TakeRemaining(from);
-          const auto points =
-            remaining.DropsPoints ? remaining.Points.size() : writer->Mesh.Points;
+          const auto points = remaining.DropsPoints ? remaining.Points.size() : writer->Mesh.Points;
           const auto cells = isWhole ? writer->Mesh.Cells : remaining.Cells.size();
           const auto list = TakeValues(from, writer->Arrays, points, cells);
           const auto fields = TakeFields(from.fields, from.field_count);
@@ -412,14 +411,14 @@ gatun_status gatun_survey_step(gatun_writer* writer, const gatun_values* values)
       writer->Do(
         [&]
         {
-          writer->Parts->SurveyStep(TakeValues(
-            Take(values), writer->Arrays, writer->Mesh.Points, writer->Mesh.Cells));
+          writer->Parts->SurveyStep(
+            TakeValues(Take(values), writer->Arrays, writer->Mesh.Points, writer->Mesh.Cells));
         });
     });
 }
 
-gatun_status gatun_add_part(gatun_writer* writer, const gatun_mesh* part,
-  const int64_t* global_ids, gatun_progress progress, void* user)
+gatun_status gatun_add_part(gatun_writer* writer, const gatun_mesh* part, const int64_t* global_ids,
+  gatun_progress progress, void* user)
 {
   return Guard(
     [&]

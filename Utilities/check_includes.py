@@ -23,11 +23,12 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 CORE = "core"
 LAYERS = {
     "IO/Bridge": [CORE],
-    "IO": [CORE, "IO/Bridge", "IO/Description"],
+    "Library": [CORE],
+    "IO": [CORE, "IO/Bridge"],
     "Filters/TetGen": [CORE, "IO/Bridge"],
     "Filters": [CORE, "IO/Bridge", "IO"],
     "Rendering": [CORE, "IO/Bridge", "IO", "Filters"],
-    "Programs/Text": [CORE, "IO/Description"],
+    "Programs/Text": [CORE],
     "Programs/Output": [CORE, "IO/Bridge", "IO", "Filters", "Rendering", "Programs/Text"],
     "Programs/Ranges": [CORE, "IO/Bridge", "IO", "Programs/Text"],
     "Programs/Input": [CORE, "IO/Bridge", "IO", "Filters", "Rendering", "Programs/Text",

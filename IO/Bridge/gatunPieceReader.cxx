@@ -289,8 +289,8 @@ PieceRequest PieceReader::MakeRequest(const PublishedFile& handle, const PortReq
   const bool exists = port.Piece >= 0 && port.Piece < port.Pieces;
   if (exists)
   {
-    request.Chunks = GetPiece(chunks, static_cast<std::size_t>(port.Piece),
-      static_cast<std::size_t>(port.Pieces));
+    request.Chunks =
+      GetPiece(chunks, static_cast<std::size_t>(port.Piece), static_cast<std::size_t>(port.Pieces));
   }
   // Without steps, arrays have no values.
   for (std::uint32_t i = 0; i < file.GetArrays().size() && file.GetNumberOfSteps() > 0; ++i)

@@ -7,7 +7,6 @@
 #include "gatunFileReader.h"
 #include "gatunPrintable.h"
 
-
 #include <algorithm>
 #include <array>
 #include <charconv>

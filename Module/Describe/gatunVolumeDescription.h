@@ -16,8 +16,7 @@ class HartleyFile;
 
 /** What is in a .ghv file, from its directory alone. IsVerified: says so. Verbose: also each
  * chunk. */
-GATUN_EXPORT Description DescribeVolume(
-  const HartleyFile& file, bool isVerified, bool verbose);
+GATUN_EXPORT Description DescribeVolume(const HartleyFile& file, bool isVerified, bool verbose);
 
 /** "16 x 16 x 8". */
 GATUN_EXPORT std::string DescribeVoxels(const std::array<std::uint32_t, 3>& size);

@@ -41,8 +41,8 @@ struct BytePlan
   }
 };
 
-/** Adds what a PieceDecoder reads for a request: mesh, shared points, original numbers and arrays of
- * its chunks; after merges all chunks, and around ghosts those of others. Reads tables only. */
+/** Adds what a PieceDecoder reads for a request: mesh, shared points, original numbers and arrays
+ * of its chunks; after merges all chunks, and around ghosts those of others. Reads tables only. */
 GATUN_EXPORT void PlanPiece(const FileReader& file, const PieceRequest& request, BytePlan& plan);
 }
 

@@ -54,7 +54,8 @@ ExactPiece::ExactPiece(std::shared_ptr<ChunkCache> cache, const PieceRequest& re
   {
     this->ChooseByValue(all, *region.Interval, isChosen);
   }
-  std::vector<std::int64_t> placeOf(static_cast<std::size_t>(this->Decoder.GetNumberOfPoints()), -1);
+  std::vector<std::int64_t> placeOf(
+    static_cast<std::size_t>(this->Decoder.GetNumberOfPoints()), -1);
   for (std::size_t cell = 0; cell < isChosen.size(); ++cell)
   {
     if (isChosen[cell])
@@ -78,8 +79,7 @@ ExactPiece::ExactPiece(std::shared_ptr<ChunkCache> cache, const PieceRequest& re
 ExactPiece::~ExactPiece() = default;
 
 //------------------------------------------------------------------------------
-void ExactPiece::ChooseInBox(
-  const PieceCells& all, const Bounds& box, std::vector<char>& isChosen)
+void ExactPiece::ChooseInBox(const PieceCells& all, const Bounds& box, std::vector<char>& isChosen)
 {
   const auto type = this->Decoder.GetFile()->GetCoordinateType();
   Bytes points(static_cast<std::size_t>(this->Decoder.GetNumberOfPoints()) * 3 * SizeOf(type));
@@ -196,8 +196,7 @@ void ExactPiece::Fill(const PieceTarget& target, const Progress& progress)
   for (std::size_t i = 0; i < target.Arrays.size(); ++i)
   {
     const auto& array = file.GetArrays()[this->Request.Arrays[i]];
-    copy(target.Arrays[i], array.Where == Association::Point,
-      array.Components * SizeOf(array.Type),
+    copy(target.Arrays[i], array.Where == Association::Point, array.Components * SizeOf(array.Type),
       [&](PieceTarget& own, void* to)
       {
         own.Arrays.resize(target.Arrays.size());

@@ -18,9 +18,9 @@ namespace gatun
 class PieceCells;
 
 /**
- * The cells of a piece that meet a region, with their points: those whose bounding box meets the box,
- * and of whose values (for point arrays, the interval that those of its points span) one is in the
- * range. The section of a region does not count.
+ * The cells of a piece that meet a region, with their points: those whose bounding box meets the
+ * box, and of whose values (for point arrays, the interval that those of its points span) one is in
+ * the range. The section of a region does not count.
  *
  * Decodes the whole chunks of the piece. Not thread safe.
  */

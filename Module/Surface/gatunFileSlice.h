@@ -16,9 +16,9 @@
 namespace gatun
 {
 /**
- * The section of a piece with a plane, as triangles: the isosurface 0 of the distance from the plane,
- * with the arrays of the request, of points and of cells, in its order. Only chunks that meet the
- * plane are decoded, some at a time.
+ * The section of a piece with a plane, as triangles: the isosurface 0 of the distance from the
+ * plane, with the arrays of the request, of points and of cells, in its order. Only chunks that
+ * meet the plane are decoded, some at a time.
  *
  * Memory: the section, and chunks of about two million tetrahedra.
  */
