@@ -17,8 +17,10 @@
 // the number of entries then are there once, not four times.
 #if defined(__AVX2__)
 #define GATUN_DRAW_INLINE GATUN_INLINE
-#else
+#elif defined(__clang__)
 #define GATUN_DRAW_INLINE [[gnu::noinline]]
+#else
+#define GATUN_DRAW_INLINE [[gnu::noinline, gnu::noclone]]
 #endif
 
 namespace gatun
@@ -139,11 +141,18 @@ private:
     {
       hits = L::And(hits, L::Less(in, L::Splat(0)));
     }
-    if (L::ToBits(hits) == 0)
+    if (L::ToBits(hits) != 0) // not so for most blocks around a tetrahedron
     {
-      return; // most blocks around a tetrahedron
+      this->DrawHits<L>(item, Entries == 0, in, out, hits, xs, ys, cell);
     }
+  }
 
+  /** Draws where rays hit the tetrahedron, in which the eye may be. */
+  template <typename L>
+  GATUN_DRAW_INLINE void DrawHits(const TetItem& item, bool isAround, typename L::Float in,
+    typename L::Float out, typename L::Mask hits, typename L::Float xs, typename L::Float ys,
+    int cell)
+  {
     RayPixels& block = this->Tile.GetBlock(cell);
     const unsigned lane = L::Rows == 4 ? 0 : RayTile::ToLane(cell);
     RayLine<L> line;
@@ -151,7 +160,7 @@ private:
     if constexpr (Perspective)
     {
       const auto length = L::Load(&block.LengthPerDepth[lane]);
-      in = Entries == 0 ? L::Splat(0) : -length / in; // from the eye on
+      in = isAround ? L::Splat(0) : -length / in; // from the eye on
       out = L::Select(L::Less(out, L::Splat(0)), -length / out, L::Splat(Endless));
       line.T = L::Splat(item.T);
       line.PerLength = (L::Splat(item.TK) + across) * L::Load(&block.DepthPerLength[lane]);
@@ -239,7 +248,7 @@ private:
 
   /** Extends the fragments in slot 0, or begins them. */
   template <typename L>
-  GATUN_DRAW_INLINE void Extend(const TetItem& item, const RayLine<L>& line,
+  GATUN_INLINE void Extend(const TetItem& item, const RayLine<L>& line,
     typename L::Float begin, typename L::Float end, typename L::Mask hits, RayPixels& block,
     unsigned lane, int cell)
   {
