@@ -411,7 +411,7 @@ endfunction ()
 # shared library shows its public functions only. Do not link it together with VTK::GatunCore or a module that
 # uses it.
 function (gatun_add_core_internals)
-  find_package(zstd REQUIRED)
+  include(gatunZstd)
   find_package(glm REQUIRED)
   add_library(gatunCoreInternals STATIC EXCLUDE_FROM_ALL
     "${PROJECT_SOURCE_DIR}/Module/Support/gatunThreadsStandard.cxx"
@@ -420,6 +420,6 @@ function (gatun_add_core_internals)
   target_include_directories(gatunCoreInternals PUBLIC
     $<TARGET_PROPERTY:gatunObjects,INTERFACE_INCLUDE_DIRECTORIES>)
   target_link_libraries(gatunCoreInternals
-    PUBLIC  glm::glm $<IF:$<TARGET_EXISTS:zstd::libzstd_shared>,zstd::libzstd_shared,zstd::libzstd_static>
+    PUBLIC  glm::glm ${gatun_libraries}
     PRIVATE gatunBuildFlags)
 endfunction ()

@@ -45,9 +45,7 @@ endforeach ()
 find_package(KissFFT REQUIRED) # headers only, as the next two, so that nobody else needs them
 find_package(xxHash REQUIRED)
 find_package(glm REQUIRED)
-find_package(zstd REQUIRED)
-set(gatun_libraries
-  $<IF:$<TARGET_EXISTS:zstd::libzstd_shared>,zstd::libzstd_shared,zstd::libzstd_static>)
+include(gatunZstd)
 
 if (TARGET gatunObjects)
   return ()
