@@ -19,14 +19,6 @@ namespace
 {
 constexpr std::uint32_t SmallestChunk = 64;
 
-/** An arbitrary number below 1 of each number, exact on every system. */
-double MakeNumber(std::uint64_t i)
-{
-  i = (i + 1) * 0x9e3779b97f4a7c15u;
-  i = (i ^ i >> 29) * 0xbf58476d1ce4e5b9u;
-  return static_cast<double>((i ^ i >> 32) >> 40) / (1u << 24);
-}
-
 /** The points and tetrahedra that a builder of merges needs. */
 struct Tets
 {
@@ -311,78 +303,5 @@ void AddEncoded(Line& line, const PortMesh& mesh)
     options.Levels = 2;
     AddBytesOf(line.Encoded["tree"], write, compare);
   }
-}
-
-//------------------------------------------------------------------------------
-void AddGrid(Line& line, std::uint32_t cubes)
-{
-  const std::int64_t row = cubes + 1;
-  std::vector<double> coordinates;
-  std::vector<double> smooth;
-  std::vector<float> rough;
-  for (std::int64_t i = 0; i < row * row * row; ++i)
-  {
-    const std::array<std::int64_t, 3> place{ i % row, i / row % row, i / row / row };
-    for (const auto c : place)
-    {
-      coordinates.push_back(static_cast<double>(c) + 0.4 * MakeNumber(coordinates.size()));
-    }
-    const double* const x = &coordinates[coordinates.size() - 3];
-    smooth.push_back(
-      x[0] * x[1] / (1 + x[2] * x[2]) + 1e-3 * MakeNumber(static_cast<std::uint64_t>(i)));
-    rough.insert(rough.end(),
-      { static_cast<float>(x[0] * x[2]), static_cast<float>(MakeNumber(smooth.size())) });
-  }
-  constexpr std::array<std::array<int, 2>, 6> paths{ { { 1, 3 }, { 3, 2 }, { 2, 6 }, { 6, 4 },
-    { 4, 5 }, { 5, 1 } } };
-  std::vector<std::int64_t> ids;
-  std::vector<std::int32_t> numbers;
-  for (std::int64_t i = 0; i < std::int64_t{ cubes } * cubes * cubes; ++i)
-  {
-    const auto first = i % cubes + row * (i / cubes % cubes + row * (i / cubes / cubes));
-    const auto corner = [&](int bits)
-    { return first + (bits & 1) + row * (bits >> 1 & 1) + row * row * (bits >> 2); };
-    for (const auto& path : paths)
-    {
-      ids.insert(ids.end(), { corner(0), corner(path[0]), corner(path[1]), corner(7) });
-      numbers.push_back(static_cast<std::int32_t>(numbers.size() / 7));
-    }
-  }
-  MeshInput input;
-  input.Points = smooth.size();
-  input.CoordinateType = ScalarType::Float64;
-  input.Coordinates = coordinates.data();
-  input.Cells = numbers.size();
-  input.Connectivity = ids.data();
-  std::vector<ArrayDescription> arrays(3);
-  arrays[0].Name = std::string("smooth");
-  arrays[0].Type = ScalarType::Float64;
-  arrays[1].Name = std::string("rough");
-  arrays[1].Components = 2;
-  arrays[2].Name = std::string("numbers");
-  arrays[2].Where = Association::Cell;
-  arrays[2].Type = ScalarType::Int32;
-  AddBytesOf(
-    line.Encoded["grid"],
-    [&](const std::string& path)
-    {
-      FileWriter writer(path, input, arrays, {});
-      for (int step = 0; step < 2; ++step)
-      {
-        const std::array<const void*, 3> values{ smooth.data(), rough.data(), numbers.data() };
-        writer.WriteStep(values, {}, true, step);
-        for (auto& value : smooth)
-        {
-          value *= 1.001;
-        }
-      }
-      writer.Finish();
-    },
-    [&](const std::string& path)
-    {
-      const PortMesh mesh(std::make_shared<const FileReader>(path));
-      mesh.AddDecoded(line.Decoded);
-      AddEncoded(line, mesh);
-    });
 }
 }

@@ -77,7 +77,8 @@ public:
 /** A mesh written in both profiles, with bounded errors, and with a tree of merges. */
 void AddEncoded(Line& line, const PortMesh& mesh);
 
-/** The same for a grid of so many cubes in each direction, whose points are moved, with values. */
+/** The same for a grid of so many cubes in each direction, whose points are moved, with values; and
+ * the grid written in two parts. */
 void AddGrid(Line& line, std::uint32_t cubes);
 }
 
