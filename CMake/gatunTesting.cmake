@@ -411,8 +411,10 @@ endfunction ()
 # shared library shows its public functions only. Do not link it together with VTK::GatunCore or a module that
 # uses it.
 function (gatun_add_core_internals)
+  include(gatunJsonCpp)
   include(gatunZstd)
   find_package(glm REQUIRED)
+  find_package(Threads REQUIRED)
   add_library(gatunCoreInternals STATIC EXCLUDE_FROM_ALL
     "${PROJECT_SOURCE_DIR}/Module/Support/gatunThreadsStandard.cxx"
     $<TARGET_OBJECTS:gatunObjects>)
@@ -420,6 +422,16 @@ function (gatun_add_core_internals)
   target_include_directories(gatunCoreInternals PUBLIC
     $<TARGET_PROPERTY:gatunObjects,INTERFACE_INCLUDE_DIRECTORIES>)
   target_link_libraries(gatunCoreInternals
-    PUBLIC  glm::glm ${gatun_libraries}
+    PUBLIC
+      glm::glm
+      JsonCpp::JsonCpp
+      Threads::Threads
+      ${gatun_libraries}
     PRIVATE gatunBuildFlags)
+
+  # The C interface on top.
+  add_library(gatunInterfaceInternals STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:gatunInterface>)
+  set_target_properties(gatunInterfaceInternals PROPERTIES LINKER_LANGUAGE CXX)
+  target_include_directories(gatunInterfaceInternals PUBLIC "${PROJECT_SOURCE_DIR}/Library")
+  target_link_libraries(gatunInterfaceInternals PUBLIC gatunCoreInternals)
 endfunction ()

@@ -32,7 +32,6 @@ set(gatun_vtk_components
   RenderingVolumeOpenGL2
   TestingCore
   TestingRendering
-  jsoncpp
   png)
 if (GATUN_WRAP_PYTHON)
   list(APPEND gatun_vtk_components

@@ -9,6 +9,7 @@
 #include "gatunFileConsumer.h"
 #include "gatunFileReader.h"
 #include "gatunOutline.h"
+#include "gatunRegion.h"
 #include "vtkGatunFileHandle.h"
 
 #include "vtkDataObject.h"
@@ -20,19 +21,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace
 {
 
 using gatun::Association;
-
-//------------------------------------------------------------------------------
-bool Touches(const gatun::Range& range, double low, double high)
-{
-  return range.Min <= range.Max && range.Min <= high && range.Max >= low;
-}
 
 //------------------------------------------------------------------------------
 /** The names of the arrays of a file on its points or cells, each once. */
@@ -51,9 +45,8 @@ std::vector<std::string> NamesOf(const gatun::FileReader& file, Association wher
 }
 
 //------------------------------------------------------------------------------
-/** The number of a point array, or else a cell array, and of its range: that of its values or, with
- * several components, of the length of the tuples. */
-std::pair<std::size_t, std::size_t> FindRange(const gatun::FileReader& file, const char* name)
+/** The number of a point array, or else a cell array. */
+std::uint32_t FindArray(const gatun::FileReader& file, const char* name)
 {
   const auto& arrays = file.GetArrays();
   for (const Association where : { Association::Point, Association::Cell })
@@ -63,8 +56,7 @@ std::pair<std::size_t, std::size_t> FindRange(const gatun::FileReader& file, con
       { return array.Where == where && array.Name == name; });
     if (found != arrays.end())
     {
-      return { static_cast<std::size_t>(found - arrays.begin()),
-        found->Components > 1 ? found->Components : 0 };
+      return static_cast<std::uint32_t>(found - arrays.begin());
     }
   }
   gatun::ThrowInvalid(
@@ -225,34 +217,21 @@ void vtkGatunMeshReader::vtkInternals::Publish(
 std::vector<std::uint32_t> vtkGatunMeshReader::vtkInternals::ChunksOf(
   const vtkGatunMeshReader& reader, std::size_t step) const
 {
-  const gatun::FileReader& mesh = this->Pieces.GetMesh();
-  const std::size_t merges = this->Pieces.GetMerges();
-  const bool byValue = HasValueRange(reader);
-  const bool byPlace = HasBox(reader.Box);
-  std::pair<std::size_t, std::size_t> range;
-  if (byValue)
+  gatun::Region region;
+  if (HasBox(reader.Box))
   {
-    range = FindRange(this->GetFile(), reader.ValueRangeArray);
-  }
-  const auto isOutside = [&](std::uint32_t chunk)
-  {
-    const gatun::Bounds box = mesh.GetChunkBounds(chunk, merges, step);
-    for (std::size_t axis = 0; byPlace && axis < 3; ++axis)
+    auto& box = region.Box.emplace();
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      if (!Touches(box[axis], reader.Box[2 * axis], reader.Box[2 * axis + 1]))
-      {
-        return true;
-      }
+      box[axis] = { reader.Box[2 * axis], reader.Box[2 * axis + 1] };
     }
-    return byValue &&
-      !(step < mesh.GetNumberOfSteps() &&
-        Touches(mesh.GetChunkRanges(range.first, step, chunk, merges)[range.second],
-          reader.ValueRange[0], reader.ValueRange[1]));
-  };
-  std::vector<std::uint32_t> chunks(mesh.GetChunks().size());
-  std::iota(chunks.begin(), chunks.end(), 0u);
-  std::erase_if(chunks, isOutside);
-  return chunks;
+  }
+  if (HasValueRange(reader))
+  {
+    region.Interval = { FindArray(this->GetFile(), reader.ValueRangeArray), -1,
+      { reader.ValueRange[0], reader.ValueRange[1] } };
+  }
+  return gatun::FindChunks(this->Pieces.GetMesh(), region, step, this->Pieces.GetMerges());
 }
 
 //------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-# The core, which knows nothing of VTK: fifteen folders, each with a files.cmake, and the object library
+# The core, which knows nothing of VTK: sixteen folders, each with a files.cmake, and the object library
 # gatunObjects of their sources. VTK's module and the library without VTK are made of it. Both include this file;
 # the first one makes the target.
 #
@@ -38,14 +38,16 @@ endmacro ()
 
 # Each may include those before it that it names.
 foreach (name IN ITEMS
-    Support Cells Coding Fast Walk Values Format Merge Mesh Read Write Surface Rays Detail Hartley)
+    Support Cells Coding Fast Walk Values Format Merge Mesh Read Write Surface Rays Detail Hartley Describe)
   include("${CMAKE_CURRENT_LIST_DIR}/${name}/files.cmake")
 endforeach ()
 
 find_package(KissFFT REQUIRED) # headers only, as the next two, so that nobody else needs them
 find_package(xxHash REQUIRED)
 find_package(glm REQUIRED)
+include(gatunJsonCpp)
 include(gatunZstd)
+list(APPEND gatun_libraries JsonCpp::JsonCpp)
 
 if (TARGET gatunObjects)
   return ()

@@ -17,20 +17,24 @@ say() {
   printf '== %s\n' "$*"
 }
 
-# Debian's zstd in sources, for which apt needs a list of its own: most systems have none of sources.
-get_zstd() {
-  [ ! -d "$build/zstd/lib" ] || return 0
-  say "Getting the sources of zstd"
-  local lists=$build/apt options
+# Debian's libraries in sources, for which apt needs a list of its own: most systems have none of sources.
+get_sources() {
+  [ ! -f "$build/apt/done" ] || return 0
+  say "Getting the sources of zstd and jsoncpp"
+  local lists=$build/apt options name
   rm -rf "$lists"
-  mkdir -p "$lists/state/partial" "$lists/cache" "$build/zstd"
+  mkdir -p "$lists/state/partial" "$lists/cache"
   echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] http://deb.debian.org/debian" \
     "$(. /etc/os-release && echo "$VERSION_CODENAME") main" >"$lists/sources.list"
   options=(-qq -o "Dir::Etc::sourcelist=$lists/sources.list" -o Dir::Etc::sourceparts=- -o "Dir::State::lists=$lists/state"
     -o "Dir::Cache=$lists/cache" -o "APT::Sandbox::User=$(id -un)")
   apt-get "${options[@]}" update
-  (cd "$lists" && apt-get "${options[@]}" source --download-only libzstd)
-  tar -x -C "$build/zstd" --strip-components=1 -f "$(echo "$lists"/libzstd_*.orig.tar.?z)"
+  (cd "$lists" && apt-get "${options[@]}" source --download-only libzstd libjsoncpp)
+  for name in zstd jsoncpp; do
+    mkdir -p "$build/$name"
+    tar -x -C "$build/$name" --strip-components=1 -f "$(echo "$lists/lib$name"_*.orig.tar.?z)"
+  done
+  touch "$lists/done"
 }
 
 # The headers of this system that are all that is needed of their packages: the other systems must not see the rest.
@@ -73,13 +77,13 @@ run_hashes() {
 }
 
 mkdir -p "$build"
-get_zstd
+get_sources
 copy_headers
 build_programs native
 run_hashes native
 for system; do
   arguments=(--toolchain "$root/CMake/Toolchains/$system.cmake" "-DCMAKE_FIND_ROOT_PATH=$build/root"
-    "-DGATUN_ZSTD_SOURCE=$build/zstd")
+    "-DGATUN_ZSTD_SOURCE=$build/zstd" "-DGATUN_JSONCPP_SOURCE=$build/jsoncpp")
   if [ "$system" = wasm ]; then
     export NODE_PATH=${NODE_PATH:-/usr/share/nodejs} # for a node that is not Debian's
   else

@@ -50,8 +50,8 @@ fi
 launcher=() # of the compiler
 
 packages_build=(
-  cmake g++ libcli11-dev libfmt-dev libglm-dev libkissfft-dev libopenimageio-dev libtet1.5-dev
-  libvtk9-dev libx11-dev libxxhash-dev libzstd-dev ninja-build pkg-config python3-numpy python3-vtk9)
+  cmake g++ libcli11-dev libfmt-dev libglm-dev libjsoncpp-dev libkissfft-dev libopenimageio-dev
+  libtet1.5-dev libvtk9-dev libx11-dev libxxhash-dev libzstd-dev ninja-build pkg-config python3-numpy python3-vtk9)
 packages_window=(libgl1-mesa-dri xauth xvfb)
 packages_test=(
   desktop-file-utils doxygen git libglib2.0-bin libgtest-dev man-db mypy openimageio-tools python3-h5py python3-meshio
@@ -60,7 +60,7 @@ packages_ci=(ccache)
 packages_bench=(draco libmeshoptimizer-dev libzfp-dev openctm-tools python3-matplotlib)
 packages_soak=(clang libclang-rt-dev libgtest-dev)
 packages_package=(dpkg-dev lintian)
-packages_ports=(cmake g++ libglm-dev libkissfft-dev libxxhash-dev libzstd-dev ninja-build)
+packages_ports=(cmake g++ libglm-dev libjsoncpp-dev libkissfft-dev libxxhash-dev libzstd-dev ninja-build)
 packages_aarch64=(g++-aarch64-linux-gnu qemu-user)
 packages_windows=(g++-mingw-w64-x86-64-posix wine64 wine)
 packages_wasm=(emscripten)

@@ -4,11 +4,8 @@
 #include "gatunMergeGrid.h"
 
 #include "gatunBridgedMesh.h"
-#include "gatunCellShapes.h"
 #include "gatunError.h"
-#include "gatunMeshCheck.h"
-#include "gatunMeshTets.h"
-#include "gatunSurfaceCells.h"
+#include "gatunMeshMerges.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -16,56 +13,38 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace gatun
 {
 namespace
 {
-/** The points and weighted fields of a mesh as input of the core. */
-struct MergePoints
+std::vector<std::array<double, 3>> ListPoints(vtkPointSet* mesh)
 {
-  std::vector<std::array<double, 3>> Points;
-  std::vector<std::vector<double>> Values;
-  std::vector<double> Weights;
-
-  explicit MergePoints(vtkPointSet* mesh)
-    : Points(static_cast<std::size_t>(mesh->GetNumberOfPoints()))
+  std::vector<std::array<double, 3>> points(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    for (std::size_t i = 0; i < this->Points.size(); ++i)
-    {
-      mesh->GetPoint(static_cast<vtkIdType>(i), this->Points[i].data());
-    }
+    mesh->GetPoint(static_cast<vtkIdType>(i), points[i].data());
   }
+  return points;
+}
 
-  void AddArray(vtkDataArray* array, double weight)
+void AddArray(vtkDataArray* array, double weight, MeshMerges& merges)
+{
+  const int components = array->GetNumberOfComponents();
+  for (int c = 0; c < components; ++c)
   {
-    const int components = array->GetNumberOfComponents();
-    for (int c = 0; c < components; ++c)
+    std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
+    for (std::size_t i = 0; i < values.size(); ++i)
     {
-      auto& values = this->Values.emplace_back(this->Points.size());
-      for (std::size_t i = 0; i < values.size(); ++i)
-      {
-        values[i] = array->GetComponent(static_cast<vtkIdType>(i), c);
-      }
-      this->Weights.push_back(weight / components);
+      values[i] = array->GetComponent(static_cast<vtkIdType>(i), c);
     }
+    merges.AddField(std::move(values), weight / components);
   }
+}
 
-  template <std::size_t Corners>
-  BasicMergeInput<Corners> GetInput(std::span<const std::array<std::uint32_t, Corners>> cells,
-    std::span<const std::uint8_t> isKept) const
-  {
-    BasicMergeInput<Corners> input{ this->Points, cells, {}, isKept };
-    for (std::size_t i = 0; i < this->Values.size(); ++i)
-    {
-      input.Fields.push_back({ this->Values[i], this->Weights[i] });
-    }
-    return input;
-  }
-};
-
-void AddArrays(vtkPointData* data, const MergeWeights& weights, MergePoints& points)
+void AddArrays(vtkPointData* data, const MergeWeights& weights, MeshMerges& merges)
 {
   for (const auto& [name, weight] : weights.GetAll())
   {
@@ -74,7 +53,7 @@ void AddArrays(vtkPointData* data, const MergeWeights& weights, MergePoints& poi
     {
       ThrowInvalid("there is no point array '" + name + "', which has a weight");
     }
-    points.AddArray(array, weight);
+    AddArray(array, weight, merges);
   }
   if (!weights.GetAll().empty())
   {
@@ -82,14 +61,14 @@ void AddArrays(vtkPointData* data, const MergeWeights& weights, MergePoints& poi
   }
   if (data->GetScalars())
   {
-    points.AddArray(data->GetScalars(), 1);
+    AddArray(data->GetScalars(), 1, merges);
     return;
   }
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     if (vtkDataArray* const array = data->GetArray(i))
     {
-      points.AddArray(array, 1);
+      AddArray(array, 1, merges);
     }
   }
 }
@@ -136,15 +115,10 @@ MergeTree BuildMergeTree(vtkUnstructuredGrid* tets, const MergeWeights& weights,
   const MergeSettings& settings, const std::function<bool(double)>& progress,
   std::span<const std::uint8_t> isKept)
 {
-  MergePoints points(tets);
-  AddArrays(tets->GetPointData(), weights, points);
   const BridgedMesh mesh(tets);
-  const MeshAccess access(mesh.Mesh);
-  CheckCells(access);
-  std::vector<MergeTree::Tet> cells;
-  cells.reserve(static_cast<std::size_t>(access.EstimateTets()));
-  ForEachTet(access, [&](std::uint64_t, const MergeTree::Tet& tet) { cells.push_back(tet); });
-  return BuildMergeTree(points.GetInput<4>(cells, isKept), settings, progress);
+  MeshMerges merges(mesh.Mesh);
+  AddArrays(tets->GetPointData(), weights, merges);
+  return merges.Build(mesh.Mesh, settings, progress, isKept);
 }
 
 //------------------------------------------------------------------------------
@@ -153,45 +127,18 @@ MergeTree BuildMergeTree(vtkPointSet* surface,
   const SurfaceMergeSettings& settings, const std::function<bool(double)>& progress,
   std::span<const std::uint8_t> isKept)
 {
-  MergePoints points(surface);
-  AddArrays(surface->GetPointData(), weights, points);
-  return BuildMergeTree(points.GetInput<3>(triangles, isKept), settings, progress);
+  MeshMerges merges(ListPoints(surface));
+  AddArrays(surface->GetPointData(), weights, merges);
+  return merges.BuildSurface(triangles, settings, progress, isKept);
 }
 
 //------------------------------------------------------------------------------
 MergeTree BuildSurfaceMergeTree(vtkUnstructuredGrid* surface, const MergeWeights& weights,
   const SurfaceMergeSettings& settings, const std::function<bool(double)>& progress)
 {
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  triangles.reserve(static_cast<std::size_t>(surface->GetNumberOfCells()));
-  std::vector<std::uint8_t> isMarked(static_cast<std::size_t>(surface->GetNumberOfPoints()), 0);
-  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    surface->GetCellPoints(cell, count, ids);
-    const int type = surface->GetCellType(cell);
-    if (type == TriangleType)
-    {
-      triangles.push_back({ static_cast<std::uint32_t>(ids[0]), static_cast<std::uint32_t>(ids[1]),
-        static_cast<std::uint32_t>(ids[2]) });
-      continue;
-    }
-    if (const SurfaceList list = GetSurfaceList(type);
-        list == SurfaceList::Polygons || list == SurfaceList::Strips)
-    {
-      ThrowInvalid("the hierarchy of a surface is one of triangles, and cell " +
-        std::to_string(cell) + " is a " +
-        (list == SurfaceList::Strips ? "triangle strip"
-                                     : "polygon with " + std::to_string(count) + " points") +
-        "; divide the surface into triangles first, with 'gtn pack --triangles' or "
-        "vtkTriangleFilter");
-    }
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      isMarked[static_cast<std::size_t>(ids[i])] = 1;
-    }
-  }
-  return BuildMergeTree(surface, triangles, weights, settings, progress, isMarked);
+  const BridgedMesh mesh(surface);
+  MeshMerges merges(mesh.Mesh);
+  AddArrays(surface->GetPointData(), weights, merges);
+  return merges.BuildSurface(mesh.Mesh, settings, progress);
 }
 }

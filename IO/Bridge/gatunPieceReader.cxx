@@ -8,6 +8,7 @@
 #include "gatunFileReader.h"
 #include "gatunNewArray.h"
 #include "gatunParallel.h"
+#include "gatunRegion.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -288,13 +289,8 @@ PieceRequest PieceReader::MakeRequest(const PublishedFile& handle, const PortReq
   const bool exists = port.Piece >= 0 && port.Piece < port.Pieces;
   if (exists)
   {
-    const auto at = [&](int piece)
-    {
-      return chunks.begin() +
-        static_cast<std::ptrdiff_t>(
-          chunks.size() * static_cast<std::size_t>(piece) / static_cast<std::size_t>(port.Pieces));
-    };
-    request.Chunks.assign(at(port.Piece), at(port.Piece + 1));
+    request.Chunks =
+      GetPiece(chunks, static_cast<std::size_t>(port.Piece), static_cast<std::size_t>(port.Pieces));
   }
   // Without steps, arrays have no values.
   for (std::uint32_t i = 0; i < file.GetArrays().size() && file.GetNumberOfSteps() > 0; ++i)

@@ -131,4 +131,74 @@ CellKind GetCellKind(int type)
       return {};
   }
 }
+
+//------------------------------------------------------------------------------
+const char* GetCellTypeName(int type)
+{
+  struct Named
+  {
+    int Type;
+    const char* Name;
+  };
+  static constexpr Named names[] = {
+    { 0, "vtkEmptyCell" },
+    { 1, "vtkVertex" },
+    { 2, "vtkPolyVertex" },
+    { 3, "vtkLine" },
+    { 4, "vtkPolyLine" },
+    { 5, "vtkTriangle" },
+    { 6, "vtkTriangleStrip" },
+    { 7, "vtkPolygon" },
+    { 8, "vtkPixel" },
+    { 9, "vtkQuad" },
+    { 10, "vtkTetra" },
+    { 11, "vtkVoxel" },
+    { 12, "vtkHexahedron" },
+    { 13, "vtkWedge" },
+    { 14, "vtkPyramid" },
+    { 15, "vtkPentagonalPrism" },
+    { 16, "vtkHexagonalPrism" },
+    { 21, "vtkQuadraticEdge" },
+    { 22, "vtkQuadraticTriangle" },
+    { 23, "vtkQuadraticQuad" },
+    { 24, "vtkQuadraticTetra" },
+    { 25, "vtkQuadraticHexahedron" },
+    { 26, "vtkQuadraticWedge" },
+    { 27, "vtkQuadraticPyramid" },
+    { 28, "vtkBiQuadraticQuad" },
+    { 29, "vtkTriQuadraticHexahedron" },
+    { 30, "vtkQuadraticLinearQuad" },
+    { 31, "vtkQuadraticLinearWedge" },
+    { 32, "vtkBiQuadraticQuadraticWedge" },
+    { 33, "vtkBiQuadraticQuadraticHexahedron" },
+    { 34, "vtkBiQuadraticTriangle" },
+    { 35, "vtkCubicLine" },
+    { 36, "vtkQuadraticPolygon" },
+    { 37, "vtkTriQuadraticPyramid" },
+    { 41, "vtkConvexPointSet" },
+    { 42, "vtkPolyhedron" },
+    { 68, "vtkLagrangeCurve" },
+    { 69, "vtkLagrangeTriangle" },
+    { 70, "vtkLagrangeQuadrilateral" },
+    { 71, "vtkLagrangeTetra" },
+    { 72, "vtkLagrangeHexahedron" },
+    { 73, "vtkLagrangeWedge" },
+    { 74, "vtkLagrangePyramid" },
+    { 75, "vtkBezierCurve" },
+    { 76, "vtkBezierTriangle" },
+    { 77, "vtkBezierQuadrilateral" },
+    { 78, "vtkBezierTetra" },
+    { 79, "vtkBezierHexahedron" },
+    { 80, "vtkBezierWedge" },
+    { 81, "vtkBezierPyramid" },
+  };
+  for (const auto& named : names)
+  {
+    if (named.Type == type)
+    {
+      return named.Name;
+    }
+  }
+  return nullptr;
+}
 }

@@ -45,6 +45,9 @@ struct CellKind
 
 /** Returns the kind of a VTK cell type, which may be any number. */
 GATUN_EXPORT CellKind GetCellKind(int type);
+
+/** The class of VTK for a cell type, or null if there is none. */
+GATUN_EXPORT const char* GetCellTypeName(int type);
 }
 
 #endif

@@ -104,6 +104,17 @@ void InputFile::Fail(ErrorCode code, const std::string& what, std::optional<std:
 }
 
 //------------------------------------------------------------------------------
+void InputFile::FailNotHere(std::uint64_t offset, std::uint64_t length) const
+{
+  throw Error(ErrorCode::NotHere,
+    { .Path = this->Path,
+      .Part = this->Part,
+      .What = std::to_string(length) + " bytes that are needed are not here yet",
+      .Offset = this->Locate(offset).Offset,
+      .Length = length });
+}
+
+//------------------------------------------------------------------------------
 void InputFile::ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const
 {
   this->BytesRead += bytes.size();
@@ -117,12 +128,7 @@ void InputFile::ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) cons
     const auto reached = offset + (length - rest.size());
     if (error == ByteSource::NotHere)
     {
-      throw Error(ErrorCode::NotHere,
-        { .Path = this->Path,
-          .Part = this->Part,
-          .What = "bytes that are needed are not here yet: " + std::to_string(rest.size()),
-          .Offset = this->Locate(reached).Offset,
-          .Length = rest.size() });
+      this->FailNotHere(reached, rest.size());
     }
     if (error != 0)
     {
@@ -278,12 +284,33 @@ void InputFile::ReadHeader(std::span<std::uint8_t, HeaderSize> header)
 }
 
 //------------------------------------------------------------------------------
+/** Reads the last bytes. If they are not here yet, asks for more than is needed now, because tables
+ * are at the end of a file. */
+void InputFile::ReadEnd(std::uint64_t offset, std::span<std::uint8_t> bytes) const
+{
+  constexpr std::uint64_t tables = 128u << 10;
+  try
+  {
+    this->ReadAt(offset, bytes);
+  }
+  catch (const Error& error)
+  {
+    if (error.Code != ErrorCode::NotHere || this->Extents)
+    {
+      throw;
+    }
+    const auto length = std::min(this->Size, tables);
+    this->FailNotHere(this->Size - length, length);
+  }
+}
+
+//------------------------------------------------------------------------------
 /** Reads the directory by means of the trailer. Returns the position of the directory. */
 StreamRef InputFile::ReadTrailer(std::span<const std::uint8_t> header, Bytes& directory) const
 {
   std::array<std::uint8_t, TrailerSize> trailer{};
   const auto start = this->Size - TrailerSize;
-  this->ReadAt(start, trailer);
+  this->ReadEnd(start, trailer);
   ByteReader end(trailer);
   StreamRef where;
   where.Offset = end.Get<std::uint64_t>();

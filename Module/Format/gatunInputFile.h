@@ -100,6 +100,8 @@ public:
 
 private:
   void ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
+  void ReadEnd(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
+  [[noreturn]] void FailNotHere(std::uint64_t offset, std::uint64_t length) const;
   ExtentMap::Place Locate(std::uint64_t offset) const;
   void ReadExtents(const InputFile& whole, const StreamRef& section, const std::string& name);
   void CheckVersion(const SectionRef& section) const;

@@ -30,6 +30,58 @@ std::string GetChunkName(std::size_t chunk)
 {
   return "chunk " + std::to_string(chunk);
 }
+
+/** The blocks that have some voxels. */
+struct BlockBox
+{
+  BlockBox(const HartleyLayout& layout, const HartleyLayout::Triple& first,
+    const HartleyLayout::Triple& end)
+  {
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      if (first[axis] >= end[axis] || end[axis] > layout.Size[axis])
+      {
+        ThrowInvalid("voxels " + std::to_string(first[axis]) + " to " + std::to_string(end[axis]) +
+          " of " + std::to_string(layout.Size[axis]) + " were requested");
+      }
+      this->First[axis] = first[axis] / layout.Block[axis];
+      this->End[axis] = (end[axis] - 1) / layout.Block[axis] + 1;
+    }
+  }
+
+  bool Contains(const HartleyLayout::Triple& place) const
+  {
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      if (place[axis] < this->First[axis] || place[axis] >= this->End[axis])
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** The chunks that have such blocks. */
+  std::vector<std::size_t> FindChunks(const HartleyLayout& layout) const
+  {
+    std::vector<std::size_t> chunks;
+    const auto all = layout.GetChunks();
+    for (auto z = this->First[2] / layout.Chunk[2]; z * layout.Chunk[2] < this->End[2]; ++z)
+    {
+      for (auto y = this->First[1] / layout.Chunk[1]; y * layout.Chunk[1] < this->End[1]; ++y)
+      {
+        for (auto x = this->First[0] / layout.Chunk[0]; x * layout.Chunk[0] < this->End[0]; ++x)
+        {
+          chunks.push_back(x + std::size_t{ all[0] } * (y + std::size_t{ all[1] } * z));
+        }
+      }
+    }
+    return chunks;
+  }
+
+  HartleyLayout::Triple First{};
+  HartleyLayout::Triple End{};
+};
 }
 
 //------------------------------------------------------------------------------
@@ -334,45 +386,31 @@ std::shared_ptr<const HartleyChunk> HartleyFile::GetChunk(std::size_t chunk) con
 }
 
 //------------------------------------------------------------------------------
+std::vector<ByteRange> HartleyFile::GetByteRanges(
+  const HartleyLayout::Triple& first, const HartleyLayout::Triple& end) const
+{
+  const auto& layout = this->GetLayout();
+  std::vector<ByteRange> ranges;
+  for (const auto chunk : BlockBox(layout, first, end).FindChunks(layout))
+  {
+    const auto& entry = this->Data->Table.Chunks[chunk];
+    for (const auto& stream : entry.Streams)
+    {
+      this->Data->File.AddRanges(stream, ranges);
+    }
+    this->Data->File.AddRanges(entry.Corrections, ranges);
+  }
+  return ranges;
+}
+
+//------------------------------------------------------------------------------
 void HartleyFile::GetVoxels(const HartleyLayout::Triple& first, const HartleyLayout::Triple& end,
   void* values, const std::function<bool(double)>& progress) const
 {
   const auto& layout = this->GetLayout();
-  HartleyLayout::Triple firstBlock{};
-  HartleyLayout::Triple endBlock{};
-  for (unsigned axis = 0; axis < 3; ++axis)
-  {
-    if (first[axis] >= end[axis] || end[axis] > layout.Size[axis])
-    {
-      ThrowInvalid("voxels " + std::to_string(first[axis]) + " to " + std::to_string(end[axis]) +
-        " of " + std::to_string(layout.Size[axis]) + " were requested");
-    }
-    firstBlock[axis] = first[axis] / layout.Block[axis];
-    endBlock[axis] = (end[axis] - 1) / layout.Block[axis] + 1;
-  }
-  const auto isWanted = [&](const HartleyLayout::Triple& place)
-  {
-    for (unsigned axis = 0; axis < 3; ++axis)
-    {
-      if (place[axis] < firstBlock[axis] || place[axis] >= endBlock[axis])
-      {
-        return false;
-      }
-    }
-    return true;
-  };
-  std::vector<std::size_t> chunks;
-  const auto all = layout.GetChunks();
-  for (auto z = firstBlock[2] / layout.Chunk[2]; z * layout.Chunk[2] < endBlock[2]; ++z)
-  {
-    for (auto y = firstBlock[1] / layout.Chunk[1]; y * layout.Chunk[1] < endBlock[1]; ++y)
-    {
-      for (auto x = firstBlock[0] / layout.Chunk[0]; x * layout.Chunk[0] < endBlock[0]; ++x)
-      {
-        chunks.push_back(x + std::size_t{ all[0] } * (y + std::size_t{ all[1] } * z));
-      }
-    }
-  }
+  const BlockBox blocks(layout, first, end);
+  const auto isWanted = [&](const HartleyLayout::Triple& place) { return blocks.Contains(place); };
+  const auto chunks = blocks.FindChunks(layout);
   const VoxelBox box{ first, end, this->GetVolume().Type, values };
   ForEachHartleyChunk(
     chunks.size(),

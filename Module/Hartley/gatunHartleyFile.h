@@ -3,6 +3,7 @@
 #ifndef gatunHartleyFile_h
 #define gatunHartleyFile_h
 
+#include "gatunByteSource.h"
 #include "gatunExport.h"
 #include "gatunHartleySource.h"
 #include "gatunHartleyVolume.h"
@@ -11,11 +12,10 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace gatun
 {
-class ByteSource;
-
 /** Parameters of WriteHartleyFile. */
 struct HartleyWriterOptions
 {
@@ -79,6 +79,10 @@ public:
    * nearest value and clamped to the volume's range. Decodes the required chunks only. */
   void GetVoxels(const HartleyLayout::Triple& first, const HartleyLayout::Triple& end, void* values,
     const std::function<bool(double)>& progress = {}) const;
+
+  /** The bytes of the file that GetVoxels reads for some voxels. */
+  std::vector<ByteRange> GetByteRanges(
+    const HartleyLayout::Triple& first, const HartleyLayout::Triple& end) const;
 
   /** Verifies all checksums and decodes all chunks. Throws if something is wrong. */
   void Verify(const std::function<bool(double)>& progress = {}) const;

@@ -13,6 +13,14 @@
 #include <cstdint>
 #include <type_traits>
 
+// Without AVX, lanes are emulated and take several times the code. Functions that do not depend on
+// the number of entries then are there once, not four times.
+#if defined(__AVX2__)
+#define GATUN_DRAW_INLINE GATUN_INLINE
+#else
+#define GATUN_DRAW_INLINE [[gnu::noinline]]
+#endif
+
 namespace gatun
 {
 namespace GATUN_SIMD
@@ -213,8 +221,9 @@ private:
   }
 
   template <typename L>
-  GATUN_INLINE void Integrate(const TetItem& item, const RayLine<L>& line, typename L::Float begin,
-    typename L::Float end, typename L::Mask some, RaySums<L>& sums, typename L::Float& first)
+  GATUN_DRAW_INLINE void Integrate(const TetItem& item, const RayLine<L>& line,
+    typename L::Float begin, typename L::Float end, typename L::Mask some, RaySums<L>& sums,
+    typename L::Float& first)
   {
     if constexpr (Mode == RayMode::Sampled)
     {
@@ -230,8 +239,9 @@ private:
 
   /** Extends the fragments in slot 0, or begins them. */
   template <typename L>
-  GATUN_INLINE void Extend(const TetItem& item, const RayLine<L>& line, typename L::Float begin,
-    typename L::Float end, typename L::Mask hits, RayPixels& block, unsigned lane, int cell)
+  GATUN_DRAW_INLINE void Extend(const TetItem& item, const RayLine<L>& line,
+    typename L::Float begin, typename L::Float end, typename L::Mask hits, RayPixels& block,
+    unsigned lane, int cell)
   {
     RayPixels::Slot& slot = block.Slots[0];
     const auto last = L::Load(&slot.End[lane]);

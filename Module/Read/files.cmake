@@ -15,7 +15,10 @@ gatun_core_folder(Read
     gatunPieceRequest.h
     gatunVerifyFile.h
   EXPERIMENTAL_HEADERS
+    gatunBytePlan.h
     gatunChunkCache.h
+    gatunExactPiece.h
+    gatunRegion.h
     gatunSharedFile.h
   PRIVATE_HEADERS
     gatunBoundaryCheck.h
@@ -39,6 +42,7 @@ gatun_core_folder(Read
     gatunTablePages.h
   SOURCES
     gatunBoundaryCheck.cxx
+    gatunBytePlan.cxx
     gatunCellStore.cxx
     gatunChangedChunks.cxx
     gatunChunkCache.cxx
@@ -48,6 +52,7 @@ gatun_core_folder(Read
     gatunCoarseCells.cxx
     gatunCoarseLayout.cxx
     gatunCoarsePiece.cxx
+    gatunExactPiece.cxx
     gatunFileReader.cxx
     gatunFileReaderBoundary.cxx
     gatunFileReaderLayers.cxx
@@ -58,6 +63,7 @@ gatun_core_folder(Read
     gatunPieceCells.cxx
     gatunPieceDecoder.cxx
     gatunPieceSelection.cxx
+    gatunRegion.cxx
     gatunSharedFile.cxx
     gatunTablePages.cxx
     gatunVerifyFile.cxx)

@@ -8,6 +8,7 @@
 #include "gatunCoarsePiece.h"
 #include "gatunFileReaderInternals.h"
 #include "gatunPieceSelection.h"
+#include "gatunRegion.h"
 
 #include <algorithm>
 #include <cstring>
@@ -16,39 +17,6 @@
 
 namespace gatun
 {
-namespace
-{
-/** The given chunks and those within a number of layers of chunks around them that share points,
- * ascending. */
-std::vector<std::uint32_t> Surround(const FileReader& file,
-  const std::vector<std::uint32_t>& chunks, const std::vector<std::uint32_t>& universe,
-  unsigned levels)
-{
-  const auto isOutside = [&](std::uint32_t c)
-  { return !universe.empty() && !std::binary_search(universe.begin(), universe.end(), c); };
-  auto all = chunks;
-  auto last = chunks;
-  for (unsigned level = 0; level < levels && !last.empty(); ++level)
-  {
-    std::vector<std::uint32_t> next;
-    for (const auto c : last)
-    {
-      const auto near = file.GetNeighbors(c);
-      next.insert(next.end(), near.begin(), near.end());
-    }
-    std::sort(next.begin(), next.end());
-    next.erase(std::unique(next.begin(), next.end()), next.end());
-    std::erase_if(next, isOutside);
-    last.clear();
-    std::set_difference(next.begin(), next.end(), all.begin(), all.end(), std::back_inserter(last));
-    std::vector<std::uint32_t> merged;
-    std::merge(all.begin(), all.end(), last.begin(), last.end(), std::back_inserter(merged));
-    all.swap(merged);
-  }
-  return all;
-}
-}
-
 //------------------------------------------------------------------------------
 /**
  * A piece with ghosts is extracted from a larger set of chunks. The set is decoded as a whole, and

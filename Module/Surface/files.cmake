@@ -7,6 +7,7 @@ gatun_core_folder(Surface
     Mesh
     Read
   EXPERIMENTAL_HEADERS
+    gatunFileSlice.h
     gatunFileSurface.h
     gatunIntervalTree.h
     gatunMarch.h
@@ -17,6 +18,7 @@ gatun_core_folder(Surface
     gatunChunkSurface.h
   SOURCES
     gatunChunkSurface.cxx
+    gatunFileSlice.cxx
     gatunFileSurface.cxx
     gatunIntervalTree.cxx
     gatunMarch.cxx

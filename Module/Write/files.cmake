@@ -14,6 +14,7 @@ gatun_core_folder(Write
     gatunFileWriter.h
     gatunWriterOptions.h
   EXPERIMENTAL_HEADERS
+    gatunMeshMerges.h
     gatunPartExchange.h
     gatunPartWriter.h
   PRIVATE_HEADERS
@@ -49,6 +50,7 @@ gatun_core_folder(Write
     gatunDependencySection.cxx
     gatunFileWriter.cxx
     gatunFileWriterSeries.cxx
+    gatunMeshMerges.cxx
     gatunMeshSection.cxx
     gatunPartAgreement.cxx
     gatunPartAssembly.cxx

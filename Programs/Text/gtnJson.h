@@ -8,7 +8,7 @@
 
 #include "gatunDescription.h"
 
-#include "vtk_jsoncpp.h"
+#include <json/json.h>
 
 #include <string>
 #include <vector>

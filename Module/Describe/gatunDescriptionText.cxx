@@ -3,10 +3,9 @@
 
 #include "gatunDescriptionText.h"
 
+#include "gatunCellShapes.h"
 #include "gatunFileReader.h"
 #include "gatunPrintable.h"
-
-#include "vtkGatunCompat.h"
 
 #include <algorithm>
 #include <array>
@@ -139,8 +138,8 @@ const char* NameOfType(ScalarType type)
 //------------------------------------------------------------------------------
 std::string NameOfCellType(int type)
 {
-  const std::string name = vtkCellTypeUtilities::GetClassNameFromTypeId(type);
-  return name == "UnknownClass" ? "of type " + std::to_string(type) : name;
+  const char* const name = GetCellTypeName(type);
+  return name ? name : "of type " + std::to_string(type);
 }
 
 //------------------------------------------------------------------------------

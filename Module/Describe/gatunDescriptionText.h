@@ -5,7 +5,7 @@
 
 // Strings and numbers of descriptions, for people.
 
-#include "vtkGatunIOModule.h" // For export macro
+#include "gatunExport.h" // For export macro
 
 #include "gatunTypes.h"
 
@@ -17,38 +17,38 @@
 namespace gatun
 {
 /** Returns one line that is safe to print: see gatun::MakePrintable. */
-VTKGATUNIO_EXPORT std::string MakePrintableLine(std::string_view text);
+GATUN_EXPORT std::string MakePrintableLine(std::string_view text);
 
 /** 1234567 as "1,234,567". */
-VTKGATUNIO_EXPORT std::string GroupDigits(std::uint64_t number);
+GATUN_EXPORT std::string GroupDigits(std::uint64_t number);
 
 /** 1536 as "1.5 KiB". */
-VTKGATUNIO_EXPORT std::string DescribeByteSize(std::uint64_t bytes);
+GATUN_EXPORT std::string DescribeByteSize(std::uint64_t bytes);
 
 /** The shortest decimal that gives the same number again. */
-VTKGATUNIO_EXPORT std::string DescribeNumber(double value);
+GATUN_EXPORT std::string DescribeNumber(double value);
 
 /** With so many digits, as "%.7g" of printf. */
-VTKGATUNIO_EXPORT std::string DescribeNumber(double value, int digits);
+GATUN_EXPORT std::string DescribeNumber(double value, int digits);
 
 /** With so many digits behind the point, as "%.3f" of printf. */
-VTKGATUNIO_EXPORT std::string DescribeFixed(double value, int digits);
+GATUN_EXPORT std::string DescribeFixed(double value, int digits);
 
 /** "a, b, c". */
-VTKGATUNIO_EXPORT std::string Join(
+GATUN_EXPORT std::string Join(
   const std::vector<std::string>& parts, std::string_view separator = ", ");
 
 /** As numpy has it: "float32". */
-VTKGATUNIO_EXPORT const char* NameOfType(ScalarType type);
+GATUN_EXPORT const char* NameOfType(ScalarType type);
 
 /** The class of VTK for a cell type, "vtkHexahedron", or "of type 200" if there is none. */
-VTKGATUNIO_EXPORT std::string NameOfCellType(int type);
+GATUN_EXPORT std::string NameOfCellType(int type);
 
 /** "points, cells, corners" of flags of gatun::KeepOrder, or "none". */
-VTKGATUNIO_EXPORT std::string NameOfKeptOrder(std::uint8_t kept);
+GATUN_EXPORT std::string NameOfKeptOrder(std::uint8_t kept);
 
 /** "fast" or "small". */
-VTKGATUNIO_EXPORT std::string NameOfProfile(Profile profile);
+GATUN_EXPORT std::string NameOfProfile(Profile profile);
 }
 
 #endif

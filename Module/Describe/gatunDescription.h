@@ -6,9 +6,9 @@
 // A description of a file that is written once and printed in two ways: as text for people and as
 // JSON.
 
-#include "vtkGatunIOModule.h" // For export macro
+#include "gatunExport.h" // For export macro
 
-#include "vtk_jsoncpp.h"
+#include <json/json.h>
 
 #include <cstdint>
 #include <list>
@@ -23,8 +23,8 @@ namespace gatun
  * The text is ASCII: jsoncpp escapes all other characters, so that it is JSON whatever the bytes of
  * a string are. Numbers have 17 digits and read back as the same number. Numbers that are not
  * finite become null. */
-VTKGATUNIO_EXPORT std::string WriteJson(const Json::Value& value);
-VTKGATUNIO_EXPORT std::string WriteJsonLine(const Json::Value& value);
+GATUN_EXPORT std::string WriteJson(const Json::Value& value);
+GATUN_EXPORT std::string WriteJsonLine(const Json::Value& value);
 
 /** An array of the elements of a range, which may be empty. */
 template <typename Elements>
@@ -39,7 +39,7 @@ Json::Value MakeJsonArray(const Elements& elements)
 }
 
 /** A value, and its text for people. */
-struct VTKGATUNIO_EXPORT Entry
+struct GATUN_EXPORT Entry
 {
   Entry(Json::Value value, std::string text)
     : Value(std::move(value))
@@ -75,7 +75,7 @@ struct Table
 };
 
 /** Fields, tables and parts, each of which is a description. */
-class VTKGATUNIO_EXPORT Description
+class GATUN_EXPORT Description
 {
 public:
   explicit Description(std::string title = {})

@@ -16,23 +16,22 @@ class HartleyFile;
 
 /** What is in a .ghv file, from its directory alone. IsVerified: says so. Verbose: also each
  * chunk. */
-VTKGATUNIO_EXPORT Description DescribeVolume(
-  const HartleyFile& file, bool isVerified, bool verbose);
+GATUN_EXPORT Description DescribeVolume(const HartleyFile& file, bool isVerified, bool verbose);
 
 /** "16 x 16 x 8". */
-VTKGATUNIO_EXPORT std::string DescribeVoxels(const std::array<std::uint32_t, 3>& size);
+GATUN_EXPORT std::string DescribeVoxels(const std::array<std::uint32_t, 3>& size);
 
 /** As in JSON: "quality", "rmsError", "psnr", "bitsPerVoxel". */
-VTKGATUNIO_EXPORT const char* NameOfRateMode(HartleyRateMode mode);
+GATUN_EXPORT const char* NameOfRateMode(HartleyRateMode mode);
 
 /** "quality 60". */
-VTKGATUNIO_EXPORT std::string DescribeRate(const HartleyRateControl& control);
+GATUN_EXPORT std::string DescribeRate(const HartleyRateControl& control);
 
 /** "512 blocks of 8 x 8 x 8 voxels". */
-VTKGATUNIO_EXPORT std::string DescribeVolumeBlocks(const HartleyLayout& layout);
+GATUN_EXPORT std::string DescribeVolumeBlocks(const HartleyLayout& layout);
 
 /** Peak signal to noise ratio, in dB; infinite without an error. */
-VTKGATUNIO_EXPORT double ComputePeakSignalToNoise(const Range& range, double rootMeanSquareError);
+GATUN_EXPORT double ComputePeakSignalToNoise(const Range& range, double rootMeanSquareError);
 }
 
 #endif

@@ -11,7 +11,7 @@ class FileReader;
 
 /** What is in a .gtn file and the sizes of its parts, from its directory alone. Verbose: also each
  * chunk. Throws Error. */
-VTKGATUNIO_EXPORT Description DescribeMesh(const FileReader& file, bool verbose);
+GATUN_EXPORT Description DescribeMesh(const FileReader& file, bool verbose);
 }
 
 #endif

@@ -1,0 +1,21 @@
+# Describe: what is in a file, as text for people and as JSON.
+gatun_core_folder(Describe
+  INCLUDES
+    Support
+    Cells
+    Coding
+    Format
+    Read
+    Hartley
+  PRIVATE_HEADERS
+    gatunDescription.h
+    gatunDescriptionText.h
+    gatunLayerDescription.h
+    gatunMeshDescription.h
+    gatunVolumeDescription.h
+  SOURCES
+    gatunDescription.cxx
+    gatunDescriptionText.cxx
+    gatunLayerDescription.cxx
+    gatunMeshDescription.cxx
+    gatunVolumeDescription.cxx)
