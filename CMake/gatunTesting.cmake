@@ -412,7 +412,7 @@ endfunction ()
 # uses it.
 function (gatun_add_core_internals)
   include(gatunJsonCpp)
-  find_package(zstd REQUIRED)
+  include(gatunZstd)
   find_package(glm REQUIRED)
   find_package(Threads REQUIRED)
   add_library(gatunCoreInternals STATIC EXCLUDE_FROM_ALL
@@ -426,7 +426,7 @@ function (gatun_add_core_internals)
       glm::glm
       JsonCpp::JsonCpp
       Threads::Threads
-      $<IF:$<TARGET_EXISTS:zstd::libzstd_shared>,zstd::libzstd_shared,zstd::libzstd_static>
+      ${gatun_libraries}
     PRIVATE gatunBuildFlags)
 
   # The C interface on top.

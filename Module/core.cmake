@@ -46,10 +46,8 @@ find_package(KissFFT REQUIRED) # headers only, as the next two, so that nobody e
 find_package(xxHash REQUIRED)
 find_package(glm REQUIRED)
 include(gatunJsonCpp)
-find_package(zstd REQUIRED)
-set(gatun_libraries
-  JsonCpp::JsonCpp
-  $<IF:$<TARGET_EXISTS:zstd::libzstd_shared>,zstd::libzstd_shared,zstd::libzstd_static>)
+include(gatunZstd)
+list(APPEND gatun_libraries JsonCpp::JsonCpp)
 
 if (TARGET gatunObjects)
   return ()

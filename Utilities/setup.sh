@@ -19,6 +19,9 @@
 #                                    build, measure beside VTK and other peers, and write the pages (with
 #                                    --quick: tiny meshes, to build/bench-quick; with --pages: measure
 #                                    nothing, write the pages again)
+#   Utilities/setup.sh ports [SYSTEM...]
+#                                    build the core for aarch64, windows and wasm (default: all), run it by
+#                                    emulators, and compare what it reads and writes with this system
 #   Utilities/setup.sh soak [MINUTES]
 #                                    build with sanitizers, fuzz, read damaged files and kill writers
 #                                    (default: 120); see soak.py
@@ -57,6 +60,10 @@ packages_ci=(ccache)
 packages_bench=(draco libmeshoptimizer-dev libzfp-dev openctm-tools python3-matplotlib)
 packages_soak=(clang libclang-rt-dev libgtest-dev)
 packages_package=(dpkg-dev lintian)
+packages_ports=(cmake g++ libglm-dev libjsoncpp-dev libkissfft-dev libxxhash-dev libzstd-dev ninja-build)
+packages_aarch64=(g++-aarch64-linux-gnu qemu-user)
+packages_windows=(g++-mingw-w64-x86-64-posix wine64 wine)
+packages_wasm=(emscripten)
 packages_docs=(doxygen)
 packages_lint=(clang-format clang-tidy git python3)
 # ParaView itself, the imports of its Python modules, and what its plugins need to write their help.
@@ -348,6 +355,23 @@ build_targets() {
   cmake --build "$build/$preset" --parallel "$jobs" --target "$@"
 }
 
+run_ports() {
+  local system packages=("${packages_ports[@]}")
+  if [ $# -eq 0 ]; then
+    set -- aarch64 windows wasm
+  fi
+  for system; do
+    case $system in
+      aarch64) packages+=("${packages_aarch64[@]}") ;;
+      windows) packages+=("${packages_windows[@]}") ;;
+      wasm) packages+=("${packages_wasm[@]}") ;;
+      *) die "there is no port to $system" ;;
+    esac
+  done
+  install_packages "${packages[@]}"
+  exec "$root/Utilities/ports.sh" "$build/ports" "$@"
+}
+
 run_soak() {
   install_packages "${packages_build[@]}" "${packages_window[@]}" "${packages_soak[@]}"
   build_targets fuzz fuzzers
@@ -358,7 +382,7 @@ run_soak() {
 
 command=${1:-}
 case $command in
-  demo | test | package | docs | lint | bench | soak)
+  demo | test | package | docs | lint | bench | ports | soak)
     shift
     command -v apt-get >/dev/null || die "this needs Debian or a system like it (apt-get)"
     mkdir -p "$build"

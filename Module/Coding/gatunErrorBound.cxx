@@ -4,14 +4,13 @@
 #include "gatunErrorBound.h"
 
 #include "gatunError.h"
+#include "gatunNumberText.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
-#include <system_error>
 
 namespace gatun
 {
@@ -69,10 +68,8 @@ std::optional<ErrorBound> ParseBound(std::string_view text)
     return std::nullopt;
   }
   bound.Kind = kind->Value;
-  const auto digits = text.substr(kind->Name.size());
-  const auto* const end = digits.data() + digits.size();
-  const auto [stop, code] = std::from_chars(digits.data(), end, bound.Bound);
-  return code == std::errc() && stop == end ? std::optional(bound) : std::nullopt;
+  return ParseNumber(text.substr(kind->Name.size()), bound.Bound) ? std::optional(bound)
+                                                                  : std::nullopt;
 }
 
 //------------------------------------------------------------------------------
@@ -97,10 +94,8 @@ ArrayError ParseError(const std::string& text)
 std::string ToString(const ErrorBound& bound)
 {
   constexpr std::array names{ "exact", "abs:", "rel:", "pw:", "bits:" };
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), bound.Bound).ptr;
   return names.at(static_cast<std::size_t>(bound.Kind)) +
-    (bound ? std::string(digits.data(), end) : std::string()) +
+    (bound ? FormatNumber(bound.Bound) : std::string()) +
     (bound && bound.KeepZeros ? std::string(KeepsZeros) : std::string());
 }
 }

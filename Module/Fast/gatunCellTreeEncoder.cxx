@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace gatun
@@ -32,7 +33,14 @@ struct TemplateKey
   bool KnowsSources, IsSized;
   std::uint32_t Rest, Hidden, Pattern;
 
-  auto operator<=>(const TemplateKey&) const = default;
+  auto Tie() const
+  {
+    return std::tie(this->From, this->Type, this->Head, this->Sources, this->KnowsSources,
+      this->IsSized, this->Rest, this->Hidden, this->Pattern);
+  }
+
+  bool operator==(const TemplateKey&) const = default;
+  bool operator<(const TemplateKey& other) const { return this->Tie() < other.Tie(); }
 };
 
 /** The template of a cell with a head and without. */

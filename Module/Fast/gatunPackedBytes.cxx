@@ -6,27 +6,64 @@
 #include <zstd.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
+#include <mutex>
 #include <new>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace gatun
 {
 namespace
 {
-/** A context of zstd for this thread, because making one takes as long as a small stream. */
+/** A context of zstd, because making one takes as long as a small stream. Contexts that are not in
+ * use are kept, but not by threads: programs of MinGW destroy the objects of a thread when their
+ * memory is gone. */
 template <auto Create, auto Free>
-auto* GetContext()
+class Borrowed
 {
-  using Context = std::remove_pointer_t<decltype(Create())>;
-  thread_local const std::unique_ptr<Context, decltype(Free)> context(Create(), Free);
-  if (!context)
+public:
+  Borrowed()
   {
-    throw std::bad_alloc();
+    const std::lock_guard lock(Guard);
+    if (Idle.empty())
+    {
+      Idle.reserve(++Made); // so that returning it never fails
+      this->Context = Pointer(Create(), Free);
+    }
+    else
+    {
+      this->Context = std::move(Idle.back());
+      Idle.pop_back();
+    }
+    if (!this->Context)
+    {
+      throw std::bad_alloc();
+    }
   }
-  return context.get();
-}
+
+  ~Borrowed()
+  {
+    const std::lock_guard lock(Guard);
+    Idle.push_back(std::move(this->Context));
+  }
+
+  Borrowed(const Borrowed&) = delete;
+  Borrowed& operator=(const Borrowed&) = delete;
+
+  auto* Get() const { return this->Context.get(); }
+
+private:
+  using Pointer = std::unique_ptr<std::remove_pointer_t<decltype(Create())>, decltype(Free)>;
+
+  static inline std::mutex Guard;
+  static inline std::vector<Pointer> Idle;
+  static inline std::size_t Made = 0;
+  Pointer Context{ nullptr, Free };
+};
 }
 
 //------------------------------------------------------------------------------
@@ -34,7 +71,8 @@ void PutPacked(ByteWriter& out, std::span<const std::uint8_t> symbols)
 {
   // Matches hardly occur, and are slower to decode than what they save.
   constexpr int shortestMatch = 7;
-  auto* const packer = GetContext<&ZSTD_createCCtx, &ZSTD_freeCCtx>();
+  const Borrowed<&ZSTD_createCCtx, &ZSTD_freeCCtx> context;
+  auto* const packer = context.Get();
   ZSTD_CCtx_setParameter(packer, ZSTD_c_compressionLevel, 1);
   ZSTD_CCtx_setParameter(packer, ZSTD_c_minMatch, shortestMatch);
   ZSTD_CCtx_setParameter(packer, ZSTD_c_contentSizeFlag, 0);
@@ -60,9 +98,9 @@ void GetPacked(ByteReader& in, std::span<std::uint8_t> symbols)
     std::copy(bytes.begin(), bytes.end(), symbols.begin());
     return;
   }
-  auto* const unpacker = GetContext<&ZSTD_createDCtx, &ZSTD_freeDCtx>();
+  const Borrowed<&ZSTD_createDCtx, &ZSTD_freeDCtx> context;
   const auto size =
-    ZSTD_decompressDCtx(unpacker, symbols.data(), symbols.size(), bytes.data(), bytes.size());
+    ZSTD_decompressDCtx(context.Get(), symbols.data(), symbols.size(), bytes.data(), bytes.size());
   if (size != symbols.size()) // an error is larger than any size
   {
     ThrowCorrupt("packed symbols are damaged");

@@ -1,4 +1,10 @@
 # Format: container, sections and tables, that is, what is on disk.
+if (WIN32)
+  set(system_sources gatunAtomicFileWindows.cxx gatunFileHandleWindows.cxx gatunWindowsNames.cxx)
+else ()
+  set(system_sources gatunAtomicFilePosix.cxx gatunFileHandlePosix.cxx)
+endif ()
+
 gatun_core_folder(Format
   INCLUDES
     Support
@@ -30,6 +36,7 @@ gatun_core_folder(Format
     gatunSurfaceTable.h
     gatunTableParts.h
     gatunTreeTable.h
+    gatunWindowsNames.h
   SOURCES
     gatunAtomicFile.cxx
     gatunByteSource.cxx
@@ -39,7 +46,6 @@ gatun_core_folder(Format
     gatunContainer.cxx
     gatunExtents.cxx
     gatunFieldTable.cxx
-    gatunFileHandle.cxx
     gatunFileSource.cxx
     gatunInputFile.cxx
     gatunLayerTable.cxx
@@ -51,4 +57,5 @@ gatun_core_folder(Format
     gatunStepPages.cxx
     gatunSurfaceTable.cxx
     gatunTableParts.cxx
-    gatunTreeTable.cxx)
+    gatunTreeTable.cxx
+    ${system_sources})

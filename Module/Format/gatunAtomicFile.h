@@ -8,10 +8,10 @@
 #include "gatunFileHandle.h"
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
-
-#include <sys/stat.h>
 
 namespace gatun
 {
@@ -29,7 +29,9 @@ namespace gatun
  *
  * Symbolic links are followed. A file that this user may not write is not replaced. A file that is
  * replaced passes on its permissions; the permissions
- * of a new file follow the umask. Methods throw Error(CannotWrite). Exported for the gtn program.
+ * of a new file follow the umask. On Windows, a file has the permissions of its folder, and the
+ * temporary file always has a name, but that of a scratch file vanishes with it. Methods throw
+ * Error(CannotWrite). Exported for the gtn program.
  */
 class GATUN_EXPORT AtomicFile
 {
@@ -91,20 +93,26 @@ private:
   AtomicFile(const std::string& path, const std::string& target);
   AtomicFile(const std::string& path, Naming naming);
 
-  void CheckTarget();
   void CheckReplaced() const;
-  void Create(Naming naming);
-  int CreateUnnamed(::mode_t mode);
-  int CreateNamed(::mode_t mode);
-  int Link();
+  void CreateNamed(FileHandle::Use use);
+  int TakeName(const std::function<int(const std::string&)>& take);
   [[noreturn]] void Fail(int systemError) const;
+  [[noreturn]] void Refuse(const char* what) const;
+
+  // In a source for each system:
+  void CheckTarget();
+  void Create(Naming naming);
+  int CreateUnnamed(FileHandle::Use use);
+  int Link();
+  void MoveToTarget();
+  void RemoveTemporary();
 
   std::string Path;
-  std::string Target;        // the path without symbolic links
-  std::string Temporary;     // the current name, if any
-  bool Replaces = false;     // whether the target exists
-  struct stat Replaced = {}; // if it must be a certain file, which has links then
-  ::mode_t Permissions = 0;  // of the existing target
+  std::string Target;                // the path without symbolic links
+  std::string Temporary;             // the current name, if any
+  bool Replaces = false;             // whether the target exists
+  std::optional<FileStamp> Replaced; // if it must be a certain file
+  unsigned Permissions = 0;          // of the existing target, on POSIX
   FileHandle Handle;
   std::uint64_t Size = 0;
 };

@@ -13,8 +13,8 @@ FileSource::FileSource(const std::string& path)
   FileHandle::Kind kind{};
   if (const int error = this->Handle.OpenToRead(path, kind, this->Size))
   {
-    throw Error(
-      ErrorCode::CannotOpen, { .Path = path, .What = "cannot open", .SystemError = error });
+    throw Error(ErrorCode::CannotOpen,
+      ErrorDetails{ .Path = path, .What = "cannot open", .SystemError = error });
   }
   if (kind != FileHandle::Kind::Regular)
   {

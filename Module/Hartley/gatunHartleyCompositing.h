@@ -267,7 +267,7 @@ GATUN_INLINE void AddPixels(const Float8* channels, float* pixels, std::size_t p
     return;
   }
   const Float8 opaque = Larger(channels[Colors], Float8{});
-  if (ToBits(opaque > Float8{}) == 0)
+  if (ToBits(Int8(opaque > Float8{})) == 0)
   {
     return;
   }

@@ -10,7 +10,9 @@
 #include "gatunParallel.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -35,6 +37,14 @@ constexpr double ErrorTolerance = 0.98;
 constexpr double RateTolerance = 0.01;
 constexpr int MostAttempts = 12;
 
+/** The upper 24 bits of a step. Measures, and functions of the standard library, differ in the last
+ * bits between systems; the bytes of files should not. */
+double Shorten(double step)
+{
+  constexpr std::uint64_t rest = (1u << 29) - 1;
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(step) & ~rest);
+}
+
 /**
  * Finds a step for which a monotonically increasing measure is between two bounds, by bracketing.
  */
@@ -55,7 +65,7 @@ public:
   double Find(double first, Measure&& measure) const
   {
     const double aim = (this->Low + this->High) / 2;
-    double step = std::clamp(first, this->Smallest, this->Largest);
+    double step = std::clamp(Shorten(first), this->Smallest, this->Largest);
     double good = 0;
     double bad = 0;
     double ofGood = 0;
@@ -83,18 +93,18 @@ public:
       }
       if (good == 0)
       {
-        step = std::max(this->Smallest, bad * std::clamp(aim / ofBad, 0.1, 0.99));
+        step = std::max(this->Smallest, Shorten(bad * std::clamp(aim / ofBad, 0.1, 0.99)));
       }
       else if (bad == 0)
       {
-        step =
-          std::min(this->Largest, good * (ofGood > 0 ? std::clamp(aim / ofGood, 1.01, 4.0) : 4.0));
+        step = std::min(
+          this->Largest, Shorten(good * (ofGood > 0 ? std::clamp(aim / ofGood, 1.01, 4.0) : 4.0)));
       }
       else
       {
         // Interpolates, but keeps a distance from both ends.
         const double place = ofGood > 0 ? std::log(aim / ofGood) / std::log(ofBad / ofGood) : 0.5;
-        step = good * std::pow(bad / good, std::clamp(place, 0.05, 0.95));
+        step = Shorten(good * std::pow(bad / good, std::clamp(place, 0.05, 0.95)));
       }
     }
     return good;
@@ -156,7 +166,7 @@ HartleyEncoder::HartleyEncoder(const VolumeInput& input, std::uint32_t blockSize
   switch (control.Mode)
   {
     case HartleyRateMode::Quality:
-      this->SetStep(range * std::exp2(-control.Value / 10));
+      this->SetStep(Shorten(range * std::exp2(-control.Value / 10)));
       break;
     case HartleyRateMode::RMSError:
       if (!this->IsLossless())

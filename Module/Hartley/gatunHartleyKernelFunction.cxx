@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunHartleyKernelFunction.h"
 
+#include "gatunBessel.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -24,7 +26,7 @@ KaiserBessel::KaiserBessel(std::size_t values, std::size_t points)
       const double x = (part - (tap - Taps / 2 + 1)) / (Taps / 2.0);
       const double inside = std::max(1 - x * x, 0.0);
       this->Table[step * Stored + static_cast<std::size_t>(tap)] =
-        static_cast<float>(std::cyl_bessel_i(0, this->Shape * std::sqrt(inside)) * (x * x <= 1));
+        static_cast<float>(GetBessel(this->Shape * std::sqrt(inside)) * (x * x <= 1));
     }
   }
 }

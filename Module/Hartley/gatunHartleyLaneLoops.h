@@ -505,7 +505,7 @@ inline void Measure(const HartleyBox& box, const float* origin, std::size_t coun
       breaks[1 + i] = enter[i] + voxel;
       breaks[4 + i] = leave[i] - voxel;
     }
-    if (ToBits(begin < end) == 0)
+    if (ToBits(Int8(begin < end)) == 0)
     {
       for (std::size_t k = first; k < count && k < first + 8; ++k)
       {

@@ -249,7 +249,7 @@ HartleyOrder::HartleyOrder(const Triple& block)
   : Positions(std::size_t{ block[0] } * block[1] * block[2])
 {
   this->Strides = { 1, static_cast<std::ptrdiff_t>(block[0]),
-    static_cast<std::ptrdiff_t>(block[0]) * block[1] };
+    static_cast<std::ptrdiff_t>(block[0]) * static_cast<std::ptrdiff_t>(block[1]) };
   for (unsigned axis = 0; axis < 3; ++axis)
   {
     this->Wraps[axis] = -this->Strides[axis] * (static_cast<std::ptrdiff_t>(block[axis]) - 1);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunHartleyVolumeSpectrum.h"
 
+#include "gatunBessel.h"
 #include "gatunHartleyFourier.h"
 #include "gatunParallel.h"
 
@@ -364,8 +365,7 @@ const float* HartleyVolumeSpectrum::GetWeights()
         const double angle = std::numbers::pi * x;
         const double sinc = std::abs(x) < 1e-9 ? 1 : std::sin(angle) / angle;
         const double window = inside * inside < 1
-          ? std::cyl_bessel_i(0, shape * std::sqrt(1 - inside * inside)) /
-            std::cyl_bessel_i(0, shape)
+          ? GetBessel(shape * std::sqrt(1 - inside * inside)) / GetBessel(shape)
           : 0;
         weights.insert(weights.end(), 2, static_cast<float>(sinc * window));
       }

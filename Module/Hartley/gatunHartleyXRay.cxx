@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunHartleyXRay.h"
 
+#include "gatunBessel.h"
 #include "gatunFourier.h"
 #include "gatunHartleyFourier.h"
 #include "gatunHartleyLattice.h"
@@ -55,9 +56,8 @@ public:
       for (int tap = 0; tap < taps; ++tap)
       {
         const double x = (static_cast<double>(step) / Steps - (tap - taps / 2 + 1)) / (taps / 2.0);
-        this->Weights.push_back(x * x <= 1
-            ? static_cast<float>(std::cyl_bessel_i(0, this->Shape * std::sqrt(1 - x * x)))
-            : 0.0f);
+        this->Weights.push_back(
+          x * x <= 1 ? static_cast<float>(GetBessel(this->Shape * std::sqrt(1 - x * x))) : 0.0f);
       }
     }
   }

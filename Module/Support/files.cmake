@@ -16,6 +16,7 @@ gatun_core_folder(Support
     gatunValueHistogram.h
   PRIVATE_HEADERS
     gatunBackgroundWorker.h
+    gatunBessel.h
     gatunBytes.h
     gatunCache.h
     gatunCacheBudgetInternals.h
@@ -26,6 +27,8 @@ gatun_core_folder(Support
     gatunKeepMemory.h
     gatunLargeArray.h
     gatunMorton.h
+    gatunNumberText.h
+    gatunPaths.h
     gatunPrefetch.h
     gatunProcessors.h
     gatunSimd.h
@@ -42,6 +45,7 @@ gatun_core_folder(Support
     gatunFourier.cxx
     gatunFraming.cxx
     gatunKeepMemory.cxx
+    gatunNumberText.cxx
     gatunParallel.cxx
     gatunPrintable.cxx
     gatunProcessors.cxx

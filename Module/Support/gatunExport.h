@@ -11,6 +11,10 @@
 #ifndef gatunExport_h
 #define gatunExport_h
 
+#if defined(_WIN32)
+#define GATUN_EXPORT // the core is no library of its own there
+#else
 #define GATUN_EXPORT __attribute__((visibility("default")))
+#endif
 
 #endif

@@ -53,7 +53,7 @@ public:
     return static_cast<T*>(::operator new(count * sizeof(T)));
   }
 
-  void deallocate(T* memory, std::size_t count) noexcept
+  void deallocate(T* memory, [[maybe_unused]] std::size_t count) noexcept
   {
 #if defined(__linux__)
     if (count * sizeof(T) >= Least)

@@ -6,8 +6,16 @@
 #include "gatunCellNodes.h"
 #include "gatunVertexHash.h"
 
+#include <limits>
+#include <utility>
+
 namespace gatun
 {
+namespace
+{
+constexpr auto NoCell = std::numeric_limits<std::uint32_t>::max();
+}
+
 unsigned CountMarkCorners(std::uint8_t type, unsigned degree)
 {
   switch (type)
@@ -40,6 +48,7 @@ bool HasAllNodes(std::uint8_t type, unsigned degree, std::size_t points)
 
 EncoderMarks::EncoderMarks(const CellList& cells, std::span<const std::uint32_t> candidates)
   : Cells(cells)
+  , Earlier(cells.GetNumber(), NoCell)
   , Taken(cells.GetNumber(), 0)
 {
   constexpr std::size_t most = 100; // so that turns fit a byte
@@ -50,19 +59,22 @@ EncoderMarks::EncoderMarks(const CellList& cells, std::span<const std::uint32_t>
     const auto degree = CountMarkCorners(type, static_cast<unsigned>(corners.size()));
     if (degree >= 3 && degree <= most && HasAllNodes(type, degree, corners.size()))
     {
-      this->Found.emplace(HashVertices(corners.first(degree)), cell);
+      auto& last =
+        this->Found.try_emplace(HashVertices(corners.first(degree)), NoCell).first->second;
+      this->Earlier[cell] = std::exchange(last, cell);
     }
   }
 }
 
 bool EncoderMarks::FindCell(std::span<const std::uint32_t> face)
 {
-  const auto [begin, end] = this->Found.equal_range(HashVertices(face));
-  for (auto it = begin; it != end; ++it)
+  const auto last = this->Found.find(HashVertices(face));
+  for (auto cell = last == this->Found.end() ? NoCell : last->second; cell != NoCell;
+       cell = this->Earlier[cell])
   {
-    if (!this->Taken[it->second] && this->FindTurn(it->second, face))
+    if (!this->Taken[cell] && this->FindTurn(cell, face))
     {
-      this->Taken[it->second] = 1;
+      this->Taken[cell] = 1;
       return true;
     }
   }

@@ -59,7 +59,9 @@ private:
   bool FindTurn(std::uint32_t cell, std::span<const std::uint32_t> face);
 
   const CellList& Cells;
-  std::unordered_multimap<std::uint64_t, std::uint32_t> Found; // cells by a hash of their corners
+  // Not a multimap: the order of its equal keys differs between libraries, and so would files.
+  std::unordered_map<std::uint64_t, std::uint32_t> Found; // the last cell of a hash of corners
+  std::vector<std::uint32_t> Earlier;                     // the one before of the same hash
   std::vector<char> Taken;
 };
 }

@@ -8,22 +8,12 @@
 #include "gatunFileReader.h"
 #include "gatunFileReaderInternals.h"
 #include "gatunFileWriterInternals.h"
+#include "gatunNumberText.h"
 
-#include <array>
-#include <charconv>
 #include <utility>
 
 namespace gatun
 {
-namespace
-{
-std::string ToText(double time)
-{
-  std::array<char, 32> digits{};
-  return { digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), time).ptr };
-}
-}
-
 //------------------------------------------------------------------------------
 FileWriter::Internals::Internals(const FileReader& file, const WriterOptions& options)
   : State(InternalsOf(file).File, options)
@@ -100,9 +90,9 @@ void FileWriter::Internals::WriteSeriesStep(std::span<const void* const> values,
 {
   if (!this->Series.empty() && !(hasTime && time > this->Series.back().Time))
   {
-    ThrowInvalid(
-      "the times of the steps must ascend: " + (hasTime ? ToText(time) : "a step without time") +
-      " follows " + ToText(this->Series.back().Time));
+    ThrowInvalid("the times of the steps must ascend: " +
+      (hasTime ? FormatNumber(time) : "a step without time") + " follows " +
+      FormatNumber(this->Series.back().Time));
   }
   if (this->IsAppending && !this->Other)
   {

@@ -4,6 +4,7 @@
 #include "gatunPartAssembly.h"
 
 #include "gatunError.h"
+#include "gatunPaths.h"
 
 #include <array>
 #include <cstring>
@@ -439,7 +440,7 @@ std::vector<PartExchange::Message> PartAssembly::Assemble(
   for (const auto& part : all)
   {
     ByteWriter out;
-    out.PutString(std::filesystem::absolute(file.GetTemporary()).string());
+    out.PutString(ToText(std::filesystem::absolute(ToPath(file.GetTemporary()))));
     PutRaw(out, std::span<const Piece>(part.Pieces));
     answers.push_back(std::move(out.Data));
   }

@@ -10,6 +10,7 @@
 #include "gatunPartAgreement.h"
 #include "gatunPartAssembly.h"
 #include "gatunPartSurvey.h"
+#include "gatunPaths.h"
 #include "gatunPointNumbers.h"
 #include "gatunStepSection.h"
 #include "gatunWriterCheck.h"
@@ -17,7 +18,6 @@
 #include "gatunWriterState.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -30,7 +30,7 @@ namespace
 /** The folder of temporary files: that of the file. */
 std::string GetSpillFolder(const std::string& path)
 {
-  const auto parent = std::filesystem::path(path).parent_path().string();
+  const auto parent = ToText(ToPath(path).parent_path());
   return parent.empty() ? "." : parent;
 }
 

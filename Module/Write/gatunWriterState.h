@@ -56,7 +56,8 @@ public:
     }
     if (isShared)
     {
-      file.DivideLast({ this->Added.begin(), this->Added.end() });
+      const StreamRef* const* const added = this->Added.data();
+      file.DivideLast({ added, this->Added.size() });
     }
     this->Added.clear();
     this->Payload.Data.clear();
