@@ -24,6 +24,9 @@ struct gatun_writer
   std::vector<ArrayDescription> Arrays;
   WriterOptions Options;
   MeshInput Mesh; // of the next steps
+  MeshInput First;
+  MeshInput Last;
+  bool HasMesh = false; // there is none at first when a file is appended to
   bool HasFailed = false;
 
   /** Does a part of the work, unless something has failed before. */
@@ -249,6 +252,8 @@ gatun_status gatun_create(const char* path, const gatun_mesh* mesh, const gatun_
       }
       made->File =
         std::make_unique<FileWriter>(path, made->Mesh, made->Arrays, made->Options, report);
+      made->First = made->Last = made->Mesh;
+      made->HasMesh = true;
       *writer = made.release();
     });
 }
@@ -282,6 +287,8 @@ gatun_status gatun_add_mesh(gatun_writer* writer, const gatun_mesh* mesh, gatun_
           options.Tree = nullptr;
           const auto added =
             writer->File->AddMesh(writer->Mesh, options, WrapProgress(progress, user));
+          writer->Last = writer->Mesh;
+          writer->HasMesh = true;
           if (number)
           {
             *number = added;
@@ -297,7 +304,13 @@ gatun_status gatun_use_mesh(gatun_writer* writer, uint32_t number)
     {
       NeedPointers(writer);
       Need(writer->File != nullptr, "a mesh in parts has no other meshes");
-      writer->Do([&] { writer->File->UseMesh(number); });
+      Need(writer->HasMesh, "there is no mesh");
+      writer->Do(
+        [&]
+        {
+          writer->File->UseMesh(number); // the last one, or the first one of a new file
+          writer->Mesh = number == 0 ? writer->First : writer->Last;
+        });
     });
 }
 
@@ -309,6 +322,7 @@ gatun_status gatun_write_step(
     [&]
     {
       NeedPointers(writer, values);
+      Need(writer->Parts || writer->HasMesh, "there is no mesh");
       writer->Do(
         [&]
         {
