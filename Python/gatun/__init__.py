@@ -52,6 +52,7 @@ _members = {
     "to_numpy": "_arrays",
     "write": "_writing",
     "write_mesh": "_write",
+    "write_parts": "_parts",
     "write_volume": "_volume",
 }
 

@@ -39,7 +39,7 @@ def _list_data(point_data, cell_data):
     return points + [(name, True, values) for name, values in (cell_data or {}).items()]
 
 
-class _Arrays:
+class ArrayList:
     """The arrays of a file that is being written.
 
     Args:
@@ -92,11 +92,15 @@ class _Arrays:
             )
 
     def describe(self, values):
-        """Structures of the library, and what has to be kept with them."""
+        """Structures of the library, and what has to be kept with them.
+
+        Args:
+            values: of the first step, for hierarchies and layers, or None.
+        """
         descriptions = [describe(array) for array in self.list]
         rest = dict(self._tolerances)
         everything = rest.pop("*", None)
-        for array, description, own in zip(self.list, descriptions, values):
+        for array, description, own in zip(self.list, descriptions, values or [None] * len(self.list)):
             bound = rest.pop(array.key, self._tolerances.get(array.key))
             if bound is None and array.dtype.kind == "f":
                 bound = everything
@@ -121,7 +125,7 @@ class _Arrays:
         raise ValueError(f"layers: there is no point array {name!r}")
 
 
-def _make_options(
+def make_options(
     arrays,
     points_move,
     *,
@@ -212,8 +216,8 @@ class Writer:
         self._meshes = {}  # by number
         self._kept = []  # what the library refers to until the end
         self._is_done = False
-        self._arrays = _Arrays(arrays, tolerances)
-        _make_options(self._arrays, points_move, **{**options, "layers": None})  # or an error
+        self._arrays = ArrayList(arrays, tolerances)
+        make_options(self._arrays, points_move, **{**options, "layers": None})  # or an error
         if append:
             self._append()
 
@@ -339,7 +343,7 @@ class Writer:
     def _create(self, values, progress):
         structures, descriptions = self._arrays.describe(values)
         self._kept += [structures, descriptions, values]
-        options = _make_options(self._arrays, self._points_move, **self._options)
+        options = make_options(self._arrays, self._points_move, **self._options)
         call = Call(progress)
         status = library.gatun_create(
             encode(self._path),
@@ -403,7 +407,7 @@ class Writer:
             self.discard()
 
 
-def _split_steps(data, count, what):
+def split_steps(data, count, what):
     """For each step the arrays of it, of arrays with an entry for each step."""
     for name, values in (data or {}).items():
         if len(values) != count:
@@ -508,8 +512,8 @@ def write_mesh(
             times = list(times)
             steps = zip(
                 times,
-                _split_steps(point_data, len(times), "point_data"),
-                _split_steps(cell_data, len(times), "cell_data"),
+                split_steps(point_data, len(times), "point_data"),
+                split_steps(cell_data, len(times), "cell_data"),
             )
             for time, own_points, own_cells in steps:
                 writer.write_step(

@@ -283,6 +283,48 @@ class LibraryWriting(unittest.TestCase):
         require_raises(ValueError, "are written to", write, find("a.vtk"), POINTS, TETS)
         self.assertFalse(os.path.exists(path))
 
+    def test_parts(self):
+        points, tets = make_cube(12)
+        path = find("parts.gtn")
+        owner = points[tets].mean(axis=1)[:, 0] > 0.5
+        times = [0.0, 1.0]
+
+        class Parts:
+            """Two halves that share the points between them."""
+
+            def __iter__(self):
+                for half in (False, True):
+                    own = tets[owner == half]
+                    used, corners = np.unique(own, return_inverse=True)
+                    yield gatun.Grid(
+                        points[used],
+                        corners.ravel(),
+                        np.arange(0, corners.size + 1, 4),
+                        np.full(len(own), 10, np.uint8),
+                        point_data={"v": [points[used] + time for time in times]},
+                        cell_data={"id": [np.flatnonzero(owner == half)] * 2},
+                        point_ids=used,
+                    )
+
+        size = gatun.write_parts(path, Parts(), times=times, field_data={"a": [1, 2]}, overwrite=True)
+        self.assertEqual(size, os.path.getsize(path))
+        with gatun.open(path) as file:
+            self.assertEqual(file.times, times)
+            for step in range(2):
+                grid = file.read(step=step)
+                self.assertEqual(len(grid.points), len(points))
+                require_equal(grid.point_data["v"], grid.points + times[step])
+                self.assertEqual(sorted(grid.cell_data["id"]), list(range(len(tets))))
+                # Each cell has the corners that it had.
+                corners = np.sort(grid.points[grid.connectivity.reshape(-1, 4)].view("f8,f8,f8")[..., 0], axis=1)
+                expected = np.sort(points[tets[grid.cell_data["id"]]].view("f8,f8,f8")[..., 0], axis=1)
+                np.testing.assert_array_equal(corners, expected)
+                require_same_fields(grid.field_data, {"a": np.array([1, 2])})
+        require_raises(TypeError, "twice", gatun.write_parts, path, iter([]), overwrite=True)
+        require_raises(ValueError, "none", gatun.write_parts, path, [], overwrite=True)
+        require_raises(gatun.InputError, "whole mesh", gatun.write_parts, path, Parts(), times=times, levels=2,
+                       overwrite=True)
+
     def test_targets(self):
         path = find("target.gtn")
         gatun.write_mesh(path, POINTS, TETS, overwrite=True)
