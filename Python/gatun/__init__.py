@@ -33,6 +33,7 @@ _members = {
     "Error": "_exceptions",
     "File": "_file",
     "Grid": "_grid",
+    "HttpSource": "_http",
     "InputError": "_exceptions",
     "Mesh": "_cells",
     "NotHere": "_exceptions",
