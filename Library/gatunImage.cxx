@@ -45,11 +45,9 @@ Vector Normalized(const Vector& a)
 
 double GetDiagonal(const Bounds& box)
 {
-  double diagonal = 0;
-  for (const auto& range : box)
-  {
-    diagonal = std::hypot(diagonal, range.Max - range.Min);
-  }
+  // With two numbers it would need a later C library.
+  const double diagonal = std::hypot(
+    box[0].Max - box[0].Min, box[1].Max - box[1].Min, box[2].Max - box[2].Min);
   return diagonal > 0 && std::isfinite(diagonal) ? diagonal : 1;
 }
 
