@@ -35,6 +35,13 @@ SYSTEM_LIBRARIES = {"libc.so.6", "libm.so.6", "libgcc_s.so.1", "libpthread.so.0"
 #: Packages of Debian with code that is in the library, whose licenses go with it.
 LINKED = ("libglm-dev", "libjsoncpp-dev", "libkissfft-dev", "libstdc++-12-dev", "libxxhash-dev", "libzstd-dev")
 
+WHEEL = """\
+Wheel-Version: 1.0
+Generator: gatun
+Root-Is-Purelib: false
+Tag: py3-none-{tag}
+"""
+
 
 def run(*command):
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout
@@ -98,7 +105,7 @@ def list_files(library, version, tag):
         ("gatun/libgatun.so", strip(library)),
         ("gatun/py.typed", b""),
         (f"{info}/METADATA", make_metadata(version).encode()),
-        (f"{info}/WHEEL", f"Wheel-Version: 1.0\nGenerator: gatun\nRoot-Is-Purelib: false\nTag: py3-none-{tag}\n".encode()),
+        (f"{info}/WHEEL", WHEEL.format(tag=tag).encode()),
         (f"{info}/licenses/LICENSE", (ROOT / "LICENSE").read_bytes()),
     ]
     for name in LINKED:
