@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 
+from ._exceptions import NotHere
 from ._file import File
 from ._library import KIND_VOLUME, encode, library
 from ._sources import BytesSource
@@ -19,7 +20,12 @@ _VOLUME_START = b"\x89GHV"
 def _is_volume(source):
     if isinstance(source, (str, os.PathLike)):
         return library.gatun_kind_of(encode(source)) == KIND_VOLUME
-    return bytes(source.read(0, min(8, source.size)))[: len(_VOLUME_START)] == _VOLUME_START
+    start = min(len(_VOLUME_START), source.size)
+    try:
+        return bytes(source.read(0, start)) == _VOLUME_START
+    except NotHere as error:
+        error.ranges = error.ranges or [(0, start)]
+        raise
 
 
 def open(source: Source, *, cache_bytes: int = 0) -> File | Volume:  # pylint: disable=redefined-builtin
