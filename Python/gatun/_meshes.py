@@ -99,7 +99,10 @@ class CellInput:
         integer = np.int32 if np.asarray(connectivity).dtype == np.int32 else np.int64
         self._connectivity = _as_ids(connectivity, "connectivity", integer)
         self._offsets = _as_ids(offsets, "offsets", integer)
-        self._types = _as_ids(types, "types", np.uint8)
+        kinds = _as_ids(types, "types")
+        if kinds.size and not (kinds.min() >= 0 and kinds.max() <= 255):
+            raise ValueError("types: are numbers from 0 to 255")
+        self._types = kinds.astype(np.uint8)
         self.count = len(self._types)
         if len(self._offsets) != self.count + 1:
             raise ValueError(f"offsets: has {len(self._offsets)} numbers for {self.count} cells")

@@ -118,6 +118,14 @@ def make_request(
     return made
 
 
+def make_array(shape, dtype):
+    """A new array. Its size comes from a file, which may be damaged."""
+    try:
+        return np.empty(shape, dtype)
+    except ValueError as error:  # too large for NumPy, whatever the memory
+        raise MemoryError(f"no memory for an array of shape {shape} ({error})") from None
+
+
 class _Target:
     """New arrays, and their buffers for the library."""
 
@@ -130,7 +138,7 @@ class _Target:
         """An array of a type and shape."""
         dtype = np.dtype(dtype)
         if self._allocate is None:
-            return np.empty(shape, dtype)
+            return make_array(shape, dtype)
         array = self._allocate(name, dtype, shape)
         fits = isinstance(array, np.ndarray) and array.dtype == dtype and array.shape == shape
         if not (fits and array.flags.c_contiguous and array.flags.writeable):

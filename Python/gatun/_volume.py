@@ -16,7 +16,7 @@ import numpy as np
 from . import _library as _c
 from ._library import Call, encode, encode_text, library
 from ._numbers import as_numbers
-from ._piece import to_buffer
+from ._piece import make_array, to_buffer
 from ._sources import Handle, get_ranges, get_text
 from ._targets import check_target
 from ._types import Path, Source
@@ -128,7 +128,7 @@ class Volume:
         fetch = getattr(self._handle.source, "fetch", None)
         if fetch:
             fetch(self.plan(first, end))
-        values = np.empty([high - low for low, high in zip(*box)][::-1], self.dtype)
+        values = make_array(tuple(high - low for low, high in zip(*box))[::-1], self.dtype)
         buffer = to_buffer(values)
         self._handle.call(
             library.gatun_read_voxels, *box, ctypes.byref(buffer), progress=progress
