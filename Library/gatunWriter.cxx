@@ -9,8 +9,10 @@
 #include "gatunPartWriter.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 
 using namespace gatun;
@@ -84,9 +86,24 @@ struct TakenArrays
     {
       const auto& from = this->Sources.emplace_back(TakeElement(arrays, i));
       this->List.push_back(TakeArray(from));
-      if (from.error && *from.error)
+    }
+    this->AddErrors();
+  }
+
+  /** The core knows bounds by the names of arrays, which may repeat, and "*" for all. */
+  void AddErrors()
+  {
+    std::map<std::string, std::string> bounds;
+    for (std::size_t i = 0; i < this->List.size(); ++i)
+    {
+      const std::string bound = this->Sources[i].error ? this->Sources[i].error : "";
+      const auto& name = this->List[i].Name;
+      const auto [found, isNew] = bounds.emplace(name, bound);
+      Need(found->second == bound, "arrays of the same name have different bounds of errors");
+      if (isNew && !bound.empty())
       {
-        this->Errors.push_back(ParseError(this->List.back().Name + "=" + from.error));
+        Need(name != "*", "an array with the name '*' has to be exact");
+        this->Errors.push_back(ParseError(name + "=" + bound));
       }
     }
   }

@@ -248,6 +248,30 @@ class LibraryWriting(unittest.TestCase):
             np.testing.assert_allclose(np.linalg.norm(surface.normals, axis=1), 1, atol=1e-5)
             np.testing.assert_allclose(surface.point_data["v"], 0.2, atol=1e-6)
 
+    def test_bounds_by_name(self):
+        """A bound is for the arrays that it is given for only, whatever their names."""
+        points, tets = make_cube(8)
+        value = np.sin(points @ [3, 4, 5])
+        path = find("bounds.gtn")
+        write = lambda names, bounds, **rest: gatun.write_mesh(  # noqa: E731
+            path, points, tets, point_data={name: value for name in names}, tolerances=bounds, overwrite=True,
+            keep_order=True, **rest)
+        for name in ("a=b", "a=abs:1", " ", "v,zeros"):
+            write((name, "other"), {name: "abs:0.01"})
+            with gatun.open(path) as file:
+                found = file.read().point_data
+                self.assertTrue(0 < np.abs(found[name] - value).max() <= 0.01)
+                require_equal(found["other"], value)
+        cells = {"v": value[tets].mean(axis=1)}
+        write(("v",), "abs:0.01", cell_data=cells)
+        with gatun.open(path) as file:
+            grid = file.read()
+            self.assertTrue(0 < np.abs(grid.point_data["v"] - value).max() <= 0.01)
+            self.assertTrue(0 < np.abs(grid.cell_data["v"] - cells["v"]).max() <= 0.01)
+        numbers = {"v": np.arange(len(tets))}
+        require_raises(gatun.InputError, "same name", write, ("v",), "abs:0.01", cell_data=numbers)
+        require_raises(gatun.InputError, "'*'", write, ("*", "other"), "abs:0.01")
+
     def test_wrong_input(self):
         path = find("wrong.gtn")
         os.path.exists(path) and os.remove(path)
