@@ -46,8 +46,8 @@ Vector Normalized(const Vector& a)
 double GetDiagonal(const Bounds& box)
 {
   // With two numbers it would need a later C library.
-  const double diagonal = std::hypot(
-    box[0].Max - box[0].Min, box[1].Max - box[1].Min, box[2].Max - box[2].Min);
+  const double diagonal =
+    std::hypot(box[0].Max - box[0].Min, box[1].Max - box[1].Min, box[2].Max - box[2].Min);
   return diagonal > 0 && std::isfinite(diagonal) ? diagonal : 1;
 }
 

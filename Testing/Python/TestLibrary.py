@@ -334,6 +334,13 @@ class Use(unittest.TestCase):
             self.assertEqual(len(results), 12)
             for grid in results:
                 require_same_grids(grid, expected)
+        default = gatun.get_threads()
+        for count in (1, 3, 0):
+            gatun.set_threads(count)
+            self.assertEqual(gatun.get_threads(), count or default)
+            with gatun.open(path) as file:
+                require_same_grids(file.read(), expected)
+        require_raises(ValueError, "threads", gatun.set_threads, -1)
         file = gatun.open(path)
         started = threading.Event()
 
@@ -430,6 +437,14 @@ class Use(unittest.TestCase):
             near = file.render(**{**view, "opacity": [1, 1], "range": (0, 1)}, zoom=0.5, parallel=True)
             wide = file.render(**{**view, "opacity": [1, 1], "range": (0, 1)}, parallel=True)
             self.assertAlmostEqual((wide[20, :, 3] > 0).sum() / (near[20, :, 3] > 0).sum(), 2, delta=0.2)
+
+    def test_images_of_series(self):
+        """The mesh of each step fills the image."""
+        for name in ("series_of_meshes.gtn", "moving_points.gtn", "deleted_cells.gtn"):
+            with gatun.open(os.path.join(FOLDER, name)) as file:
+                for step in range(len(file.times)):
+                    image = file.render(size=(40, 40), step=step, opacity=[1, 1], range=(-1e9, 1e9), dtype=np.float32)
+                    self.assertGreater((image[..., 3] > 0).sum(), 300, (name, step))
 
     def test_same_image_as_vtk(self):
         """Camera, colors and opacities are those of gatun.render."""
