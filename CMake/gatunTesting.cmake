@@ -274,6 +274,7 @@ function (gatun_add_python_test file)
       "PYTHONPATH=${gatun_python_path}:${CMAKE_CURRENT_SOURCE_DIR}:${PROJECT_SOURCE_DIR}/Testing/IO:${PROJECT_SOURCE_DIR}/Testing/Filters"
       "PYTHONDONTWRITEBYTECODE=1"
       "GATUN_TEST_GTN=$<TARGET_FILE:gtn>"
+      "GATUN_LIBRARY=$<TARGET_FILE:gatun>"
       ${gatun_mpi_environment}
     ${rest})
 endfunction ()

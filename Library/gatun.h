@@ -420,12 +420,14 @@ extern "C"
     size_t opacity_count;
     double unit_distance; /**< 0: a hundredth of the diagonal of the bounds */
 
-    /** The camera. If position and focal_point are equal, the mesh is seen from the direction
-     * (1, 1, 1), just fitting into the image. */
+    /** The camera. If position and focal_point are equal, the mesh is seen along the direction,
+     * just fitting into the image. */
     double position[3], focal_point[3];
     double view_up[3];     /**< all 0: along y, or along z if the camera looks along y */
     double view_angle;     /**< vertical, in degrees; 0: 30 */
     double parallel_scale; /**< above 0: a parallel projection of twice this height */
+    double direction[3];   /**< to look along; all 0: -1, -1, -1 */
+    double zoom;           /**< the magnification; 0: 1 */
   } gatun_image;
 
   /** Draws the mesh by casting rays through its cells. rgba: for each pixel, row by row from below,

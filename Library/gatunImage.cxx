@@ -45,11 +45,9 @@ Vector Normalized(const Vector& a)
 
 double GetDiagonal(const Bounds& box)
 {
-  double diagonal = 0;
-  for (const auto& range : box)
-  {
-    diagonal = std::hypot(diagonal, range.Max - range.Min);
-  }
+  // With two numbers it would need a later C library.
+  const double diagonal =
+    std::hypot(box[0].Max - box[0].Min, box[1].Max - box[1].Min, box[2].Max - box[2].Min);
   return diagonal > 0 && std::isfinite(diagonal) ? diagonal : 1;
 }
 
@@ -87,15 +85,18 @@ std::vector<std::array<double, Size>> TakeRows(const double* from, std::size_t c
 /** The eye, and the directions of the image. */
 struct Camera
 {
-  Camera(const gatun_image& image, const FileReader& file)
+  Camera(const gatun_image& image, const FileReader& file, std::size_t step)
   {
     std::copy_n(image.position, 3, this->Eye.begin());
     std::copy_n(image.focal_point, 3, this->View.Back.begin());
     const bool isGiven = this->Eye != this->View.Back;
+    const bool hasDirection =
+      std::any_of(image.direction, image.direction + 3, [](double number) { return number != 0; });
     Vector back{ 1, 1, 1 };
-    for (std::size_t axis = 0; isGiven && axis < 3; ++axis)
+    for (std::size_t axis = 0; (isGiven || hasDirection) && axis < 3; ++axis)
     {
-      back[axis] = image.position[axis] - image.focal_point[axis];
+      back[axis] =
+        isGiven ? image.position[axis] - image.focal_point[axis] : -image.direction[axis];
     }
     this->View.Back = Normalized(back);
     Vector up{ image.view_up[0], image.view_up[1], image.view_up[2] };
@@ -113,8 +114,10 @@ struct Camera
     this->Scale = image.parallel_scale;
     if (!isGiven)
     {
-      this->Frame(file, image.step);
+      this->Frame(file, step);
     }
+    Need(image.zoom >= 0 && std::isfinite(image.zoom), "the zoom is not above 0");
+    this->Zoom = image.zoom > 0 ? image.zoom : 1;
   }
 
   std::array<std::array<double, 4>, 3> GetToEye() const
@@ -131,7 +134,10 @@ struct Camera
   {
     RayFrustum frustum;
     frustum.Parallel = this->View.IsParallel;
-    frustum.Top = frustum.Parallel ? this->Scale : this->View.TangentOfHalfAngle;
+    // As vtkCamera::Zoom does it.
+    frustum.Top = frustum.Parallel
+      ? this->Scale / this->Zoom
+      : std::tan(std::atan(this->View.TangentOfHalfAngle) / this->Zoom);
     frustum.Bottom = -frustum.Top;
     frustum.Right = frustum.Top * this->View.Aspect;
     frustum.Left = -frustum.Right;
@@ -139,12 +145,12 @@ struct Camera
   }
 
 private:
-  void Frame(const FileReader& file, std::uint64_t step)
+  void Frame(const FileReader& file, std::size_t step)
   {
     std::vector<Bounds> boxes;
     for (std::size_t chunk = 0; chunk < file.GetChunks().size(); ++chunk)
     {
-      boxes.push_back(file.GetChunkBounds(chunk, 0, static_cast<std::size_t>(step)));
+      boxes.push_back(file.GetChunkBounds(chunk, 0, step));
     }
     const auto framing = FrameObject(PointBlocks(std::move(boxes)), this->View);
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -157,6 +163,7 @@ private:
   Vector Eye{};
   FramingView View;
   double Scale = 1;
+  double Zoom = 1;
 };
 
 /** Colors and opacities of an image: those of the caller, or defaults. */
@@ -271,7 +278,7 @@ void Render(gatun_file& file, const gatun_image& image, float* rgba,
   const double unit = image.unit_distance > 0
     ? image.unit_distance
     : GetDiagonal(mesh.GetBounds(place.Step)) / UnitsPerDiagonal;
-  const Camera camera(image, mesh);
+  const Camera camera(image, mesh, place.Step);
   const double sample = unit / SamplesPerUnit;
   const RayView view(camera.GetToEye(), camera.GetFrustum(), static_cast<int>(image.width),
     static_cast<int>(image.height), sample);

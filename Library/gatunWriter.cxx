@@ -9,8 +9,10 @@
 #include "gatunPartWriter.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 
 using namespace gatun;
@@ -24,6 +26,9 @@ struct gatun_writer
   std::vector<ArrayDescription> Arrays;
   WriterOptions Options;
   MeshInput Mesh; // of the next steps
+  MeshInput First;
+  MeshInput Last;
+  bool HasMesh = false; // there is none at first when a file is appended to
   bool HasFailed = false;
 
   /** Does a part of the work, unless something has failed before. */
@@ -81,9 +86,24 @@ struct TakenArrays
     {
       const auto& from = this->Sources.emplace_back(TakeElement(arrays, i));
       this->List.push_back(TakeArray(from));
-      if (from.error && *from.error)
+    }
+    this->AddErrors();
+  }
+
+  /** The core knows bounds by the names of arrays, which may repeat, and "*" for all. */
+  void AddErrors()
+  {
+    std::map<std::string, std::string> bounds;
+    for (std::size_t i = 0; i < this->List.size(); ++i)
+    {
+      const std::string bound = this->Sources[i].error ? this->Sources[i].error : "";
+      const auto& name = this->List[i].Name;
+      const auto [found, isNew] = bounds.emplace(name, bound);
+      Need(found->second == bound, "arrays of the same name have different bounds of errors");
+      if (isNew && !bound.empty())
       {
-        this->Errors.push_back(ParseError(this->List.back().Name + "=" + from.error));
+        Need(name != "*", "an array with the name '*' has to be exact");
+        this->Errors.push_back(ParseError(name + "=" + bound));
       }
     }
   }
@@ -249,6 +269,8 @@ gatun_status gatun_create(const char* path, const gatun_mesh* mesh, const gatun_
       }
       made->File =
         std::make_unique<FileWriter>(path, made->Mesh, made->Arrays, made->Options, report);
+      made->First = made->Last = made->Mesh;
+      made->HasMesh = true;
       *writer = made.release();
     });
 }
@@ -282,6 +304,8 @@ gatun_status gatun_add_mesh(gatun_writer* writer, const gatun_mesh* mesh, gatun_
           options.Tree = nullptr;
           const auto added =
             writer->File->AddMesh(writer->Mesh, options, WrapProgress(progress, user));
+          writer->Last = writer->Mesh;
+          writer->HasMesh = true;
           if (number)
           {
             *number = added;
@@ -297,7 +321,13 @@ gatun_status gatun_use_mesh(gatun_writer* writer, uint32_t number)
     {
       NeedPointers(writer);
       Need(writer->File != nullptr, "a mesh in parts has no other meshes");
-      writer->Do([&] { writer->File->UseMesh(number); });
+      Need(writer->HasMesh, "there is no mesh");
+      writer->Do(
+        [&]
+        {
+          writer->File->UseMesh(number); // the last one, or the first one of a new file
+          writer->Mesh = number == 0 ? writer->First : writer->Last;
+        });
     });
 }
 
@@ -309,6 +339,7 @@ gatun_status gatun_write_step(
     [&]
     {
       NeedPointers(writer, values);
+      Need(writer->Parts || writer->HasMesh, "there is no mesh");
       writer->Do(
         [&]
         {

@@ -12,6 +12,8 @@
 #                                    tests of packages, and all tests with sanitizers
 #   Utilities/setup.sh package       make Debian packages of both builds in build/packages, and check them
 #                                    with lintian
+#   Utilities/setup.sh wheel         make a wheel of the Python package with libgatun, which needs no VTK, in
+#                                    build/dist, and test it; see wheel.py
 #   Utilities/setup.sh docs          write the pages of the headers, build/release/doxygen/html
 #   Utilities/setup.sh lint [--tidy] check layout and includes; with --tidy also run clang-tidy; the
 #                                    sources follow clang 14, that of Debian 12
@@ -33,6 +35,7 @@
 #   GATUN_PARAVIEW_PREFIX  where ParaView is unpacked           ($GATUN_BUILD_DIR/paraview-prefix)
 #   GATUN_JOBS             number of parallel jobs              (number of processors)
 #   GATUN_NO_INSTALL       if set, packages are never installed (missing ones are an error)
+#   GATUN_JSONCPP_SOURCE   where jsoncpp's sources are, for a wheel      (those of Debian, unpacked in build)
 #   GATUN_DATA_DIR, GATUN_CELLS_DIR
 #                          large meshes for tests and benchmarks (none: those tests are skipped)
 #   CI                     true: compiler warnings are errors, and `test` also runs the tests of all that
@@ -64,6 +67,8 @@ packages_ports=(cmake g++ libglm-dev libjsoncpp-dev libkissfft-dev libxxhash-dev
 packages_aarch64=(g++-aarch64-linux-gnu qemu-user)
 packages_windows=(g++-mingw-w64-x86-64-posix wine64 wine)
 packages_wasm=(emscripten)
+packages_wheel=(
+  binutils cmake dpkg-dev g++ libglm-dev libkissfft-dev libxxhash-dev libzstd-dev ninja-build python3-numpy python3-venv)
 packages_docs=(doxygen)
 packages_lint=(clang-format clang-tidy git python3)
 # ParaView itself, the imports of its Python modules, and what its plugins need to write their help.
@@ -311,6 +316,58 @@ run_package() {
   printf 'Install them: apt-get install %s/*.deb\n' "$folder"
 }
 
+# Sets $jsoncpp to a folder with the sources of jsoncpp, of which Debian has no static library.
+find_jsoncpp() {
+  jsoncpp=${GATUN_JSONCPP_SOURCE:-}
+  if [ -n "$jsoncpp" ]; then
+    return 0
+  fi
+  local folder=$build/sources file apt=()
+  jsoncpp=$folder/jsoncpp
+  if [ -f "$jsoncpp/include/json/json.h" ]; then
+    return 0
+  fi
+  say "Unpacking the sources of jsoncpp into $jsoncpp"
+  # The same places as for packages, of sources.
+  mkdir -p "$folder/parts" "$folder/lists/partial"
+  for file in /etc/apt/sources.list /etc/apt/sources.list.d/*; do
+    if [ -f "$file" ]; then
+      sed -E 's/^Types:.*/Types: deb-src/; s/^deb /deb-src /' "$file" >"$folder/parts/${file##*/}"
+    fi
+  done
+  apt=(apt-get -qq -o Dir::Etc::sourcelist=/dev/null -o "Dir::Etc::sourceparts=$folder/parts"
+    -o "Dir::State::lists=$folder/lists" -o APT::Sandbox::User="$(id -un)")
+  (
+    cd "$folder"
+    "${apt[@]}" update
+    "${apt[@]}" source libjsoncpp
+    mv libjsoncpp-*/ jsoncpp
+  ) >"$build/apt.log" 2>&1 || {
+    tail -n 30 "$build/apt.log" >&2
+    die "apt-get failed; all it said is in $build/apt.log"
+  }
+}
+
+run_wheel() {
+  install_packages "${packages_wheel[@]}"
+  find_jsoncpp
+  say "Building $build/wheel"
+  # Nothing but the C library is needed at run time. A static libgcc would need a later one.
+  (cd "$root" && cmake -G Ninja -S . -B "$build/wheel" -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
+    -DGATUN_BUILD_VTK=OFF -DGATUN_BUILD_TESTING=OFF "-Dzstd_DIR=$root/CMake/static" \
+    "-DGATUN_JSONCPP_SOURCE=$jsoncpp" "-DCMAKE_SHARED_LINKER_FLAGS=-static-libstdc++ -shared-libgcc") \
+    >"$build/wheel.log" 2>&1 || {
+    cat "$build/wheel.log" >&2
+    die "cannot configure $build/wheel"
+  }
+  cmake --build "$build/wheel" --parallel "$jobs" --target gatun
+  say "Making the wheel"
+  rm -rf "$build/dist"
+  "$root/Utilities/wheel.py" "$build/wheel/lib/libgatun.so" "$build/dist"
+  say "Testing it"
+  /usr/bin/python3 -B "$root/Testing/Package/TestWheel.py" "$build/dist"/*.whl
+}
+
 run_docs() {
   install_packages "${packages_build[@]}" "${packages_docs[@]}"
   say "Writing pages of the headers"
@@ -382,7 +439,7 @@ run_soak() {
 
 command=${1:-}
 case $command in
-  demo | test | package | docs | lint | bench | ports | soak)
+  demo | test | package | wheel | docs | lint | bench | ports | soak)
     shift
     command -v apt-get >/dev/null || die "this needs Debian or a system like it (apt-get)"
     mkdir -p "$build"

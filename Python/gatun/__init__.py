@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Losslessly compressed unstructured meshes, and compressed volumes, for VTK.
+"""Losslessly compressed unstructured meshes, and compressed volumes.
 
 Convenience functions for files and images:
 
@@ -10,51 +10,65 @@ Convenience functions for files and images:
     >>> gatun.write(mesh, "copy.gtn", tolerances="rel:1e-3")
     >>> image = gatun.render("mesh.gtn", size=(800, 600))  # an array of 600 x 800 x 4 bytes
 
-Every class can be had from the package, too, as in ``from gatun import vtkGatunReader``. A module of
+These need VTK. Files are read and written as NumPy arrays without it, also from the web:
+
+    >>> with gatun.open("mesh.gtn") as file:
+    ...     grid = file.read(step=-1, arrays="pressure")
+    >>> gatun.write_mesh("copy.gtn", grid.points, grid.cells, point_data=grid.point_data)
+
+Every class of VTK can be had from the package, too, as in ``from gatun import vtkGatunReader``. A module of
 classes is only loaded once one of its classes is used. Documentation/python.md is the guide.
 """
 
 import importlib as _importlib
-import os as _os
-
-from vtkmodules.vtkCommonCore import vtkVersion as _vtkVersion
 
 from ._build import modules as _modules
 from ._build import version as __version__
 
-# Wrapped modules fit one VTK. Those for ParaView's may be installed beside those for Python's own.
-_folder = _os.path.join(__path__[0], "vtk" + _vtkVersion.GetVTKVersion(), "gatun")
-if not _os.path.isdir(_folder):
-    raise ImportError(f"gatun has no modules for VTK {_vtkVersion.GetVTKVersion()}: there is no {_folder}")
-__path__.append(_folder)
+# Modules of VTK classes are found once VTK is asked for.
+_importlib.import_module("._finder", __name__).install(__name__, _modules)
 
 # The public functions and types, and the module of each.
 _members = {
-    "Error": "_errors",
-    "InputError": "_errors",
-    "Mesh": "_arrays",
+    "Error": "_exceptions",
+    "File": "_file",
+    "Grid": "_grid",
+    "HttpSource": "_http",
+    "InputError": "_exceptions",
+    "Mesh": "_cells",
+    "NotHere": "_exceptions",
+    "Volume": "_volume",
+    "Writer": "_write",
     "from_meshio": "_meshio",
     "from_numpy": "_arrays",
+    "get_threads": "_threads",
     "image_from_numpy": "_arrays",
     "image_to_numpy": "_arrays",
     "info": "_info",
+    "open": "_open",
     "read": "_reading",
     "render": "_rendering",
     "save_png": "_images",
+    "set_threads": "_threads",
     "steps": "_reading",
     "to_meshio": "_meshio",
     "to_numpy": "_arrays",
     "write": "_writing",
+    "write_mesh": "_write",
+    "write_parts": "_parts",
+    "write_volume": "_volume",
 }
 
 
 def __getattr__(name):
     found = None
     if name in _members:
-        found = getattr(_importlib.import_module("." + _members[name], __name__), name)
+        found = getattr(_load(name), name)
     elif name in _modules:
         return _importlib.import_module("." + name, __name__)
     elif name.startswith("vtk"):
+        if not _modules:
+            raise ImportError(f"this package of gatun has no classes of VTK, as {name}")
         found = _importlib.import_module("._classes", __name__).find_class(name)
     if found is None:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
@@ -62,6 +76,19 @@ def __getattr__(name):
     return found
 
 
+def _load(name):
+    """The module of a member. Some need VTK."""
+    try:
+        return _importlib.import_module("." + _members[name], __name__)
+    except ModuleNotFoundError as error:
+        if error.name.partition(".")[0] != "vtkmodules":
+            raise
+        raise ImportError(f"gatun.{name} needs VTK for Python, which is not installed ({error})") from None
+
+
 def __dir__():
-    classes = _importlib.import_module("._classes", __name__).list_classes()
+    try:
+        classes = _importlib.import_module("._classes", __name__).list_classes()
+    except ImportError:  # without VTK
+        classes = ()
     return sorted({*globals(), *_members, *classes})

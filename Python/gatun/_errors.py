@@ -7,37 +7,12 @@ from __future__ import annotations
 
 import contextlib
 import re
-import sys
-import warnings
 
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from ._classes import get_class
-
-
-class Error(Exception):
-    """A file, a mesh or an image that cannot be read, written or drawn.
-
-    The text is the message of the VTK class that failed; it begins with the name of the file if
-    there is one.
-
-    Attributes:
-        code: the error code, one of ``vtkErrorCode`` or ``vtkGatunErrorCode``; 0 if there is none.
-        name: the name of the code, such as ``"FileFormatError"``; empty if there is none.
-    """
-
-    code: int
-    name: str
-
-    def __init__(self, message: str, code: int = 0) -> None:
-        super().__init__(message)
-        self.code = code
-        self.name = get_class("vtkGatunErrorCode").GetStringFromErrorCode(code) if code else ""
-
-
-class InputError(Error, ValueError):
-    """Data or a parameter that cannot be used, as an array that is not there."""
-
+from ._exceptions import Error, InputError
+from ._warnings import warn
 
 # "ERROR: In File.cxx, line 12\nvtkClass (0x1234): message"
 _ORIGIN = re.compile(r"\A\w+: In [^\n]*, line \d+\n\w+ \((?:0x)?[0-9a-fA-F]+\): ")
@@ -67,19 +42,6 @@ def _make_error(algorithm, messages, remarks):
     text = "\n".join(dict.fromkeys(messages)) or codes.GetStringFromErrorCode(code)
     kind = InputError if code == codes.InvalidInputError else Error
     return kind(text, code)
-
-
-def _count_own_frames():
-    """The number of calls from the user's to that of this function."""
-    frame, count = sys._getframe(1), 1
-    while frame.f_back and frame.f_globals["__name__"].split(".")[0] in (__package__, "contextlib"):
-        frame, count = frame.f_back, count + 1
-    return count
-
-
-def warn(text):
-    """Warns of the line of the user that is run."""
-    warnings.warn(text, stacklevel=_count_own_frames())
 
 
 @contextlib.contextmanager

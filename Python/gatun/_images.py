@@ -11,15 +11,8 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
+from ._pixels import to_bytes
 from ._types import Path
-
-
-def to_bytes(image):
-    """Returns an image of floats from 0 to 1 as one of bytes."""
-    image = np.asarray(image)
-    if image.dtype == np.uint8:
-        return image
-    return np.rint(np.clip(np.nan_to_num(image), 0, 1) * 255).astype(np.uint8)
 
 
 def save_png(image: np.ndarray, path: Path) -> None:

@@ -20,7 +20,8 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 from ._classes import get_class
-from ._errors import Error, raising, set_property
+from ._errors import raising, set_property
+from ._exceptions import Error
 from ._types import Names, Path, list_names
 
 

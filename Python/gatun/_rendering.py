@@ -17,17 +17,18 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from ._camera import make_camera
 from ._classes import get_class
-from ._errors import Error, set_property
-from ._images import to_bytes
+from ._colors import parse_color
+from ._errors import set_property
+from ._exceptions import Error
+from ._pixels import check_size, check_type, finish_image
 from ._scene import Scene
-from ._transfer import make_property, parse_color
+from ._transfer import make_property
 
 if TYPE_CHECKING:
     from numpy.typing import DTypeLike
 
 _MESH_MODES = {"composite": 0, "mip": 1, "xray": 101}
 _VOLUME_MODES = {"xray": 0, "exponential": 1, "composite": 2}
-_MOST_PIXELS = 32000
 _SAMPLES = 8  # of a pixel at the edges of triangles
 
 
@@ -153,27 +154,6 @@ def _draw_surface(scene, size, camera, transfer, ratio):
     return pixels
 
 
-def _finish(pixels, background, dtype):
-    """Puts colors that are multiplied by their opacity over a background, or divides them."""
-    opacity = pixels[..., 3:]
-    if background is None:
-        with np.errstate(divide="ignore", invalid="ignore"):
-            colors = np.where(opacity > 0, pixels[..., :3] / opacity, 0)
-    else:
-        colors = pixels[..., :3] + (1 - opacity) * np.asarray(background, np.float32)
-        opacity = np.ones_like(opacity)
-    image = np.clip(np.concatenate([colors, opacity], axis=-1), 0, 1).astype(np.float32)
-    return to_bytes(image) if dtype == np.uint8 else image
-
-
-def _check_size(size):
-    width, height = size
-    for pixels in (width, height):
-        if pixels != int(pixels) or not 1 <= pixels <= _MOST_PIXELS:
-            raise ValueError(f"size: {tuple(size)} is not width and height, 1 to {_MOST_PIXELS}")
-    return (int(width), int(height))
-
-
 def render(
     source: Any,
     *,
@@ -247,9 +227,8 @@ def render(
         TypeError: data that cannot be drawn.
         Error: the file is damaged, no file of Gatun, or there is no display for a surface.
     """
-    if dtype not in (np.uint8, np.float32):
-        raise ValueError(f"dtype: {dtype!r} is neither uint8 nor float32")
-    size = _check_size(size)
+    check_type(dtype)
+    size = check_size(size)
     color = None if background is None else parse_color(background)
     scene = Scene(source, step, time, array, component)
     is_volume = scene.kind is vtkImageData
@@ -284,4 +263,4 @@ def render(
         pixels = _draw_surface(scene, size, camera, transfer, ratio)
     else:
         pixels = _draw_mesh(scene, size, camera, transfer, blend, ratio)
-    return _finish(pixels, color, dtype)
+    return finish_image(pixels, color, dtype)

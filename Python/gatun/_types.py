@@ -5,10 +5,13 @@
 
 import os
 from collections.abc import Iterable
-from typing import Union
+from typing import Any, Union
 
 #: The path of a file.
 Path = Union[str, "os.PathLike[str]"]
+
+#: A path, an address, the bytes of a file, or an object with ``size`` and ``read(offset, length)``.
+Source = Union[Path, bytes, bytearray, memoryview, Any]
 
 #: Names of arrays, or one of them.
 Names = Union[str, Iterable[str]]

@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import errno
 import os
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -21,11 +20,11 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
 from ._classes import get_class
-from ._errors import Error, raising, set_property
+from ._errors import raising, set_property
+from ._exceptions import Error
+from ._targets import check_target, find_order, find_profile
 from ._types import Names, Path, list_names
 
-_PROFILES = ("small", "fast")
-_ORDERS = {"none": 0, "points": 1, "cells": 2, "corners": 4, "all": 7}
 _TOLERANCES = {"abs": 1, "rel": 2, "pw": 3, "bits": 4}
 _VOLUME_RATES = {
     "quality": ("Quality", 0),
@@ -167,27 +166,6 @@ def _set_layers(writer, layers):
     writer.SetLayers(name, -1, number)
 
 
-def _find_order(order):
-    if isinstance(order, bool) or order is None:
-        return _ORDERS["all" if order else "none"]
-    names = list_names(order)
-    unknown = [name for name in names if name not in _ORDERS]
-    if unknown:
-        there = ", ".join(map(repr, _ORDERS))
-        raise ValueError(f"keep_order: {unknown[0]!r} is not known; there are {there}")
-    flags = 0
-    for name in names:
-        flags |= _ORDERS[name]
-    return flags
-
-
-def _find_profile(profile):
-    if profile not in _PROFILES:
-        there = ", ".join(map(repr, _PROFILES))
-        raise ValueError(f"profile: {profile!r} is not known; there are {there}")
-    return _PROFILES.index(profile)
-
-
 def _choose_arrays(writer, arrays):
     if arrays is None:
         return
@@ -204,21 +182,6 @@ def _check_arrays(arrays, mesh):
     for name in arrays or []:
         if not (mesh.GetPointData().HasArray(name) or mesh.GetCellData().HasArray(name)):
             raise ValueError(f"arrays: the mesh has no array {name!r}")
-
-
-def _check_target(path, overwrite):
-    """Raises the exceptions of open() where a file cannot be put, without touching it, and for other formats."""
-    folder = os.path.dirname(path) or "."
-    if os.path.isdir(path):
-        raise IsADirectoryError(errno.EISDIR, "Is a directory", path)
-    os.stat(os.path.join(folder, "."))  # FileNotFoundError, NotADirectoryError
-    if os.path.splitext(path)[1].lower() not in (".gtn", ".ghv"):
-        raise ValueError(
-            f"{path}: meshes are written to .gtn files, and volumes to .ghv files; other formats have writers "
-            "of VTK and meshio"
-        )
-    if not overwrite and os.path.lexists(path):
-        raise FileExistsError(errno.EEXIST, "File exists; overwrite=True replaces it", path)
 
 
 # ------------------------------------------------------------------------------
@@ -362,7 +325,7 @@ def write(
     """
     path = os.fsdecode(path)
     arrays = list_names(arrays)
-    _check_target(path, overwrite or append)
+    check_target(path, overwrite or append, ".gtn", ".ghv")
     rates = {
         "quality": quality,
         "rms_error": rms_error,
@@ -380,11 +343,11 @@ def write(
     writer.SetFileName(path)
     _choose_arrays(writer, arrays)
     _set_tolerances(writer, tolerances)
-    writer.SetProfile(_find_profile(profile))
+    writer.SetProfile(find_profile(profile))
     writer.SetFillMissingArrays(bool(fill_missing))
     writer.SetAppend(bool(append))
     _set_point_tolerance(writer, point_tolerance)
-    writer.SetKeepOrder(_find_order(keep_order))
+    writer.SetKeepOrder(find_order(keep_order))
     writer.SetHierarchy(bool(hierarchy or levels))
     set_property(writer, "levels", "Levels", levels)
     _set_layers(writer, layers)

@@ -160,6 +160,51 @@ TEST(LibraryWriting, AppendsStepsWithTheSameMeshOnce)
   EXPECT_EQ(ReadPiece(file, request).Field, block.Field);
 }
 
+TEST(LibraryWriting, GoesBackToTheFirstMesh)
+{
+  const auto path = PathOf("meshes.gtn");
+  Block block(8);
+  Block small(5);
+  const auto mesh = block.GetMesh();
+  const auto other = small.GetMesh();
+  const auto descriptions = block.GetArrays();
+  const std::array<gatun_buffer, 2> arrays{ BufferOf(block.Field), BufferOf(block.Numbers) };
+  const std::array<gatun_buffer, 2> others{ BufferOf(small.Field), BufferOf(small.Numbers) };
+  auto options = Make<gatun_options>();
+  options.keep_order = 7;
+  gatun_writer* writer = nullptr;
+  ASSERT_OK(
+    gatun_create(path.c_str(), &mesh, descriptions.data(), 2, &options, nullptr, nullptr, &writer));
+  auto step = MakeStep(arrays, 0);
+  ASSERT_OK(gatun_write_step(writer, &step, nullptr, nullptr));
+  std::uint32_t number = 0;
+  ASSERT_OK(gatun_add_mesh(writer, &other, nullptr, nullptr, &number));
+  EXPECT_EQ(number, 1u);
+  step = MakeStep(others, 1);
+  ASSERT_OK(gatun_write_step(writer, &step, nullptr, nullptr));
+  ASSERT_OK(gatun_use_mesh(writer, 0));
+  step = MakeStep(arrays, 2);
+  ASSERT_OK(gatun_write_step(writer, &step, nullptr, nullptr));
+  ASSERT_OK(gatun_use_mesh(writer, 1));
+  step = MakeStep(others, 3);
+  ASSERT_OK(gatun_write_step(writer, &step, nullptr, nullptr));
+  ASSERT_OK(gatun_finish(writer, nullptr));
+  const OpenedFile file(path);
+  for (std::uint64_t i = 0; i < 4; ++i)
+  {
+    auto request = MakeRequest();
+    request.step = i;
+    EXPECT_EQ(ReadPiece(file, request).Field, (i % 2 ? small : block).Field);
+  }
+
+  // A file that is appended to has no mesh at first; buffers of the first one would be too small.
+  ASSERT_OK(gatun_append(path.c_str(), &writer));
+  step = MakeStep(others, 4);
+  EXPECT_EQ(gatun_write_step(writer, &step, nullptr, nullptr), GATUN_INVALID_INPUT);
+  EXPECT_EQ(gatun_use_mesh(writer, 0), GATUN_INVALID_INPUT);
+  gatun_discard(writer);
+}
+
 TEST(LibraryWriting, LevelsLayersAndBoundary)
 {
   const auto path = PathOf("levels.gtn");
@@ -238,6 +283,16 @@ TEST(LibraryWriting, BoundsErrors)
   }
   EXPECT_LE(largest, 0.01);
   EXPECT_GT(largest, 0);
+  // The core knows bounds by names, and "*" for all.
+  descriptions[1].name = descriptions[0].name;
+  EXPECT_EQ(gatun_create(PathOf("much.gtn").c_str(), &mesh, descriptions.data(), 2, &options,
+              nullptr, nullptr, &writer),
+    GATUN_INVALID_INPUT);
+  descriptions[1] = block.GetArrays()[1];
+  descriptions[0].name = "*";
+  EXPECT_EQ(gatun_create(PathOf("much.gtn").c_str(), &mesh, descriptions.data(), 2, &options,
+              nullptr, nullptr, &writer),
+    GATUN_INVALID_INPUT);
   descriptions[0].error = "much";
   EXPECT_EQ(gatun_create(PathOf("much.gtn").c_str(), &mesh, descriptions.data(), 2, &options,
               nullptr, nullptr, &writer),

@@ -29,8 +29,28 @@ except AttributeError as error:
 else:
     raise AssertionError("a class that does not exist was found")
 
+# Programs that run in a Python without VTK, or without modules for its VTK, and the text of their error.
+WITHOUT_VTK = """
+import sys
+class Finder:
+    def find_spec(self, name, path=None, target=None):
+        if name.partition(".")[0] == "vtkmodules":
+            raise ModuleNotFoundError("No module named 'vtkmodules'", name="vtkmodules")
+sys.meta_path.insert(0, Finder())
+"""
+PROGRAMS = [
+    ("import gatun; gatun.Mesh; gatun.Error('text'); dir(gatun)", None),
+    ("import gatun; gatun.vtkGatunReader", "ImportError: gatun has no modules for VTK"),
+    ("import gatun.vtkGatunIO", "ImportError: gatun has no modules for VTK"),
+    (WITHOUT_VTK + "import gatun; dir(gatun); gatun.InputError; gatun.Mesh", None),
+    (WITHOUT_VTK + "import gatun; gatun.vtkGatunReader", "ImportError: the classes of gatun need VTK for Python"),
+    (WITHOUT_VTK + "from gatun.vtkGatunIO import vtkGatunReader", "ImportError: the classes of gatun need VTK"),
+    (WITHOUT_VTK + "import gatun; gatun.read", "ImportError: gatun.read needs VTK for Python"),
+]
+
 with tempfile.TemporaryDirectory() as folder:
     shutil.copytree(gatun.__path__[0], os.path.join(folder, "gatun"), ignore=shutil.ignore_patterns("vtk[0-9]*"))
-    result = subprocess.run([sys.executable, "-c", "import gatun"], check=False, capture_output=True, text=True,
-                            env={**os.environ, "PYTHONPATH": folder})
-    assert result.returncode == 1 and "ImportError: gatun has no modules for VTK" in result.stderr, result.stderr
+    for program, text in PROGRAMS:
+        result = subprocess.run([sys.executable, "-c", program], check=False, capture_output=True, text=True,
+                                env={**os.environ, "PYTHONPATH": folder})
+        assert result.returncode == (1 if text else 0) and (text or "") in result.stderr, (program, result.stderr)
