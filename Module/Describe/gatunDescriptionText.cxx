@@ -5,27 +5,14 @@
 
 #include "gatunCellShapes.h"
 #include "gatunFileReader.h"
+#include "gatunNumberText.h"
 #include "gatunPrintable.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <system_error>
 
 namespace gatun
 {
-namespace
-{
-template <typename... Format>
-std::string ToText(double value, Format... format)
-{
-  std::array<char, 400> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, format...);
-  return end.ec == std::errc() ? std::string(text.data(), end.ptr) : std::string();
-}
-}
-
 //------------------------------------------------------------------------------
 std::string MakePrintableLine(std::string_view text)
 {
@@ -76,19 +63,19 @@ std::string DescribeNumber(double value)
   // Not simply the shorter one of both notations, which would be 1e+05.
   const double size = std::abs(value);
   const bool isFixed = size == 0 || (size >= 1e-4 && size < 1e16);
-  return ToText(value, isFixed ? std::chars_format::fixed : std::chars_format::scientific);
+  return FormatNumber(value, isFixed ? NumberForm::Fixed : NumberForm::Scientific);
 }
 
 //------------------------------------------------------------------------------
 std::string DescribeNumber(double value, int digits)
 {
-  return ToText(value, std::chars_format::general, digits);
+  return FormatNumber(value, NumberForm::General, digits);
 }
 
 //------------------------------------------------------------------------------
 std::string DescribeFixed(double value, int digits)
 {
-  return ToText(value, std::chars_format::fixed, digits);
+  return FormatNumber(value, NumberForm::Fixed, digits);
 }
 
 //------------------------------------------------------------------------------

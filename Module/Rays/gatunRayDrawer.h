@@ -248,9 +248,8 @@ private:
 
   /** Extends the fragments in slot 0, or begins them. */
   template <typename L>
-  GATUN_INLINE void Extend(const TetItem& item, const RayLine<L>& line,
-    typename L::Float begin, typename L::Float end, typename L::Mask hits, RayPixels& block,
-    unsigned lane, int cell)
+  GATUN_INLINE void Extend(const TetItem& item, const RayLine<L>& line, typename L::Float begin,
+    typename L::Float end, typename L::Mask hits, RayPixels& block, unsigned lane, int cell)
   {
     RayPixels::Slot& slot = block.Slots[0];
     const auto last = L::Load(&slot.End[lane]);

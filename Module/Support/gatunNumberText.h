@@ -14,6 +14,20 @@ bool ParseNumber(std::string_view text, double& number);
 
 /** The shortest text that ParseNumber reads as the same number. */
 std::string FormatNumber(double number);
+
+/** How printf writes numbers: "%f", "%e" or "%g". */
+enum class NumberForm
+{
+  Fixed,
+  Scientific,
+  General
+};
+
+/** The shortest text of a form that ParseNumber reads as the same number. */
+std::string FormatNumber(double number, NumberForm form);
+
+/** The text of a form with so many digits, as printf has it. */
+std::string FormatNumber(double number, NumberForm form, int digits);
 }
 
 #endif
