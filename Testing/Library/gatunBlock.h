@@ -37,9 +37,12 @@ gatun_buffer BufferOf(std::vector<T>& values)
   return { values.data(), values.size() * sizeof(T) };
 }
 
+/** A file in a folder of these tests, because others run at the same time. */
 inline std::string PathOf(const std::string& name)
 {
-  return (std::filesystem::path(GATUN_TEST_TEMP) / name).string();
+  const auto folder = std::filesystem::path(GATUN_TEST_TEMP) / "library";
+  std::filesystem::create_directories(folder);
+  return (folder / name).string();
 }
 
 inline std::vector<char> ReadBytes(const std::string& path)
