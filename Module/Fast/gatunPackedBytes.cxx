@@ -28,16 +28,17 @@ class Borrowed
 public:
   Borrowed()
   {
-    const std::lock_guard lock(Guard);
-    if (Idle.empty())
+    auto& kept = GetKept();
+    const std::lock_guard lock(kept.Guard);
+    if (kept.Idle.empty())
     {
-      Idle.reserve(++Made); // so that returning it never fails
+      kept.Idle.reserve(++kept.Made); // so that returning it never fails
       this->Context = Pointer(Create(), Free);
     }
     else
     {
-      this->Context = std::move(Idle.back());
-      Idle.pop_back();
+      this->Context = std::move(kept.Idle.back());
+      kept.Idle.pop_back();
     }
     if (!this->Context)
     {
@@ -47,8 +48,9 @@ public:
 
   ~Borrowed()
   {
-    const std::lock_guard lock(Guard);
-    Idle.push_back(std::move(this->Context));
+    auto& kept = GetKept();
+    const std::lock_guard lock(kept.Guard);
+    kept.Idle.push_back(std::move(this->Context));
   }
 
   Borrowed(const Borrowed&) = delete;
@@ -59,9 +61,20 @@ public:
 private:
   using Pointer = std::unique_ptr<std::remove_pointer_t<decltype(Create())>, decltype(Free)>;
 
-  static inline std::mutex Guard;
-  static inline std::vector<Pointer> Idle;
-  static inline std::size_t Made = 0;
+  struct Kept
+  {
+    std::mutex Guard;
+    std::vector<Pointer> Idle;
+    std::size_t Made = 0;
+  };
+
+  /** Never destroyed, because other threads may still decode when a program ends. */
+  static Kept& GetKept()
+  {
+    static Kept& kept = *new Kept;
+    return kept;
+  }
+
   Pointer Context{ nullptr, Free };
 };
 }

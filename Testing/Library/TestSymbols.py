@@ -22,7 +22,7 @@ def main():
         else:
             listed[line] = version
     text = pathlib.Path(header).read_text()
-    declared = set(re.findall(r"^GATUN_API[^;]*?\b(gatun_\w+)\(", text, re.MULTILINE))
+    declared = set(re.findall(r"^ *GATUN_API[^;]*?\b(gatun_\w+)\(", text, re.MULTILINE))
     number = int(re.search(r"#define GATUN_API_VERSION (\d+)", text).group(1))
     output = subprocess.run(["nm", "-D", "--defined-only", library], check=True, capture_output=True, text=True).stdout
     symbols = {line.split()[-1].split("@")[0] for line in output.splitlines()} - {"GATUN_0"}
