@@ -110,9 +110,7 @@ extern "C"
     uint64_t bytes;
   } gatun_buffer;
 
-  /* ----------------------------------------------------------------------------------------------
-   */
-  /* The library */
+  /* ---- The library ---- */
 
   /** GATUN_API_VERSION of the library, which counts additions. */
   GATUN_API uint32_t gatun_api_version(void);
@@ -136,9 +134,7 @@ extern "C"
   /** What a file on disk is, by its first bytes; of a .gtn file, those of its directory, too. */
   GATUN_API gatun_kind gatun_kind_of(const char* path);
 
-  /* ----------------------------------------------------------------------------------------------
-   */
-  /* Files of meshes: opening and description */
+  /* ---- Files of meshes: opening and description ---- */
 
   /** Bytes that come from the caller. */
   typedef struct gatun_source
@@ -286,9 +282,7 @@ extern "C"
   /** Checks all checksums and decodes everything. */
   GATUN_API gatun_status gatun_verify(gatun_file* file, gatun_progress progress, void* user);
 
-  /* ----------------------------------------------------------------------------------------------
-   */
-  /* Files of meshes: pieces */
+  /* ---- Files of meshes: pieces ---- */
 
   enum
   {
@@ -371,9 +365,7 @@ extern "C"
     gatun_piece* piece, const gatun_buffers* buffers, gatun_progress progress, void* user);
   GATUN_API void gatun_end(gatun_piece* piece);
 
-  /* ----------------------------------------------------------------------------------------------
-   */
-  /* Isosurfaces, slices, images */
+  /* ---- Isosurfaces, slices, images ---- */
 
   typedef struct gatun_contour
   {
@@ -413,8 +405,8 @@ extern "C"
     uint32_t level; /**< as in gatun_request */
     double ratio;
     gatun_blend blend;
-    const double*
-      colors; /**< value, red, green, blue (0 to 1) by ascending value; null: blue to red */
+    const double* colors; /**< value, red, green, blue (0 to 1) by ascending value; null: violet to
+                             yellow over the values of the mesh */
     size_t color_count;
     const double* opacities; /**< value, opacity over the unit distance; null: from the histogram */
     size_t opacity_count;
@@ -435,9 +427,7 @@ extern "C"
   GATUN_API gatun_status gatun_render(gatun_file* file, const gatun_image* image,
     const gatun_buffer* rgba, gatun_progress progress, void* user);
 
-  /* ----------------------------------------------------------------------------------------------
-   */
-  /* Writing meshes */
+  /* ---- Writing meshes ---- */
 
   enum
   {
@@ -558,9 +548,7 @@ extern "C"
   GATUN_API gatun_status gatun_add_part(gatun_writer* writer, const gatun_mesh* part,
     const int64_t* global_ids, gatun_progress progress, void* user);
 
-  /* ----------------------------------------------------------------------------------------------
-   */
-  /* Volumes */
+  /* ---- Volumes ---- */
 
   typedef enum gatun_rate
   {
