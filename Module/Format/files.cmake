@@ -12,10 +12,9 @@ gatun_core_folder(Format
     Coding
     Walk
   HEADERS
+    gatunByteSource.h
     gatunFieldData.h
     gatunLayers.h
-  EXPERIMENTAL_HEADERS
-    gatunByteSource.h
   PRIVATE_HEADERS
     gatunAtomicFile.h
     gatunCellMask.h
