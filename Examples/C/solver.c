@@ -56,7 +56,8 @@ static gatun_mesh make_mesh(void)
         connectivity[8 * cell + k] = i + corners[k];
       }
       types[cell] = 12; /* VTK_HEXAHEDRON */
-      offsets[++cell] = 8 * cell;
+      ++cell;
+      offsets[cell] = 8 * cell;
     }
   }
   mesh.points = POINTS;
