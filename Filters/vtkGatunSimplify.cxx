@@ -16,7 +16,7 @@
 #include "gatunProcessExchange.h"
 #include "gatunReport.h"
 #include "gatunSimplifiedSurface.h"
-#include "gatunSimplifyTarget.h"
+#include "gatunSimplifyProperties.h"
 #include "gatunSurfaceGrid.h"
 #include "gatunTetInput.h"
 #include "vtkGatunCompat.h"

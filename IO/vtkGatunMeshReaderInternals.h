@@ -9,7 +9,7 @@
 #include "gatunFileSignature.h"
 #include "gatunPieceReader.h"
 #include "gatunPublishedFile.h"
-#include "gatunSimplifyTarget.h"
+#include "gatunSimplifyProperties.h"
 #include "gatunStatistics.h"
 #include "gatunStepPrefetcher.h"
 #include "gatunSurfaceGrid.h"

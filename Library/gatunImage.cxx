@@ -43,14 +43,6 @@ Vector Normalized(const Vector& a)
   return { a[0] / length, a[1] / length, a[2] / length };
 }
 
-double GetDiagonal(const Bounds& box)
-{
-  // With two numbers it would need a later C library.
-  const double diagonal =
-    std::hypot(box[0].Max - box[0].Min, box[1].Max - box[1].Min, box[2].Max - box[2].Min);
-  return diagonal > 0 && std::isfinite(diagonal) ? diagonal : 1;
-}
-
 /** Rows of value and numbers by ascending value, linear in between and constant outside. */
 template <std::size_t Size>
 std::array<double, Size> Interpolate(
@@ -170,8 +162,7 @@ private:
 class Transfer
 {
 public:
-  Transfer(const gatun_image& image, double unitDistance, RaySource& source, const Range& range,
-    const RaySource::Progress& progress)
+  Transfer(const gatun_image& image, double unitDistance, RaySource& source, const Range& range)
   {
     Need(image.colors || image.color_count == 0, "the colors are missing");
     Need(image.opacities || image.opacity_count == 0, "the opacities are missing");
@@ -180,7 +171,7 @@ public:
     std::optional<DefaultTransfer> defaults;
     if (this->Colors.empty() || this->Opacities.empty())
     {
-      defaults = MakeDefaultTransfer(SurveyValues(source, {}, progress), unitDistance);
+      defaults = MakeDefaultTransfer(SurveyValues(source), unitDistance);
     }
     if (this->Colors.empty())
     {
@@ -277,12 +268,12 @@ void Render(gatun_file& file, const gatun_image& image, float* rgba,
   }
   const double unit = image.unit_distance > 0
     ? image.unit_distance
-    : GetDiagonal(mesh.GetBounds(place.Step)) / UnitsPerDiagonal;
+    : GetPositiveDiagonal(mesh.GetBounds(place.Step)) / UnitsPerDiagonal;
   const Camera camera(image, mesh, place.Step);
   const double sample = unit / SamplesPerUnit;
   const RayView view(camera.GetToEye(), camera.GetFrustum(), static_cast<int>(image.width),
     static_cast<int>(image.height), sample);
-  const Transfer transfer(image, unit, *blocks, range, {});
+  const Transfer transfer(image, unit, *blocks, range);
   RayCaster caster(view, transfer.MakeTable(TakeMode(image.blend), sample, unit));
   caster.Draw(*blocks, progress);
   caster.Finish(rgba);

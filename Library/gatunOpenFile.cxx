@@ -6,6 +6,7 @@
 #include "gatunChunkCache.h"
 #include "gatunHartleyFile.h"
 #include "gatunMeshDescription.h"
+#include "gatunSimplifyTarget.h"
 #include "gatunVerifyFile.h"
 
 #include <algorithm>
@@ -57,7 +58,6 @@ gatun_file::Place gatun_file::Find(std::uint64_t step) const
 //------------------------------------------------------------------------------
 SharedFile::Place gatun_file::Simplify(SharedFile& mesh, std::uint32_t level, double ratio)
 {
-  Need(ratio >= 0 && ratio <= 1, "the ratio is not between 0 and 1");
   Need(level == 0 || ratio == 0, "there is either a level or a ratio");
   const auto& file = *mesh.GetFile();
   if (level > 0)
@@ -72,9 +72,8 @@ SharedFile::Place gatun_file::Simplify(SharedFile& mesh, std::uint32_t level, do
     return { mesh.GetFile(), nullptr, 0 };
   }
   mesh.RequireHierarchy();
-  const auto all = static_cast<double>(file.GetNumberOfPoints());
-  return mesh.Find(
-    std::min(file.GetNumberOfMerges(), static_cast<std::size_t>(std::floor(all * ratio))));
+  return mesh.Find(CountMerges({ SimplifyTarget::Ratio, ratio }, file.GetNumberOfPoints(),
+    file.GetNumberOfMerges(), [&mesh]() -> const MergeTree& { return mesh.GetTree(); }));
 }
 
 //------------------------------------------------------------------------------

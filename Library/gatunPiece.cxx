@@ -4,6 +4,7 @@
 #include "gatunPiece.h"
 
 #include "gatunBytePlan.h"
+#include "gatunCellShapes.h"
 #include "gatunChunkCache.h"
 #include "gatunExactPiece.h"
 #include "gatunPieceDecoder.h"
@@ -15,8 +16,6 @@ namespace gatun
 {
 namespace
 {
-constexpr std::uint32_t TetraType = 10;
-
 Region TakeRegion(const gatun_request& from)
 {
   Region region;

@@ -3,6 +3,7 @@
 
 #include "gatunPiece.h"
 
+#include "gatunCellShapes.h"
 #include "gatunFileSlice.h"
 #include "gatunFileSurface.h"
 
@@ -14,8 +15,6 @@ namespace gatun
 {
 namespace
 {
-constexpr std::uint32_t TriangleType = 5;
-
 /** Triangles that were made of a mesh, with its arrays. */
 class TrianglePiece final : public gatun_piece
 {

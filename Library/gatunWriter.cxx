@@ -395,6 +395,30 @@ void gatun_discard(gatun_writer* writer)
 }
 
 //------------------------------------------------------------------------------
+namespace
+{
+constexpr const char* NotInParts = "the mesh is not written in parts";
+
+/** Calls use with the writer of parts and the next part, whose steps come next. */
+template <typename Use>
+gatun_status TakePart(gatun_writer* writer, const gatun_mesh* part, Use&& use)
+{
+  return Guard(
+    [&]
+    {
+      NeedPointers(writer, part);
+      Need(writer->Parts != nullptr, NotInParts);
+      writer->Do(
+        [&]
+        {
+          writer->Mesh = TakeMesh(Take(part));
+          use(*writer->Parts, writer->Mesh);
+        });
+    });
+}
+}
+
+//------------------------------------------------------------------------------
 gatun_status gatun_create_parts(const char* path, const gatun_array* arrays, size_t array_count,
   const gatun_options* options, gatun_writer** writer)
 {
@@ -418,18 +442,9 @@ gatun_status gatun_create_parts(const char* path, const gatun_array* arrays, siz
 gatun_status gatun_survey_part(gatun_writer* writer, const gatun_mesh* part,
   const int64_t* global_ids, gatun_progress progress, void* user)
 {
-  return Guard(
-    [&]
-    {
-      NeedPointers(writer, part);
-      Need(writer->Parts != nullptr, "the mesh is not written in parts");
-      writer->Do(
-        [&]
-        {
-          writer->Mesh = TakeMesh(Take(part));
-          writer->Parts->Survey(writer->Mesh, global_ids, WrapProgress(progress, user));
-        });
-    });
+  return TakePart(writer, part,
+    [&](PartWriter& parts, const MeshInput& mesh)
+    { parts.Survey(mesh, global_ids, WrapProgress(progress, user)); });
 }
 
 gatun_status gatun_survey_step(gatun_writer* writer, const gatun_values* values)
@@ -438,7 +453,7 @@ gatun_status gatun_survey_step(gatun_writer* writer, const gatun_values* values)
     [&]
     {
       NeedPointers(writer, values);
-      Need(writer->Parts != nullptr, "the mesh is not written in parts");
+      Need(writer->Parts != nullptr, NotInParts);
       writer->Do(
         [&]
         {
@@ -451,16 +466,7 @@ gatun_status gatun_survey_step(gatun_writer* writer, const gatun_values* values)
 gatun_status gatun_add_part(gatun_writer* writer, const gatun_mesh* part, const int64_t* global_ids,
   gatun_progress progress, void* user)
 {
-  return Guard(
-    [&]
-    {
-      NeedPointers(writer, part);
-      Need(writer->Parts != nullptr, "the mesh is not written in parts");
-      writer->Do(
-        [&]
-        {
-          writer->Mesh = TakeMesh(Take(part));
-          writer->Parts->Write(writer->Mesh, global_ids, WrapProgress(progress, user));
-        });
-    });
+  return TakePart(writer, part,
+    [&](PartWriter& parts, const MeshInput& mesh)
+    { parts.Write(mesh, global_ids, WrapProgress(progress, user)); });
 }

@@ -4,7 +4,7 @@
 #include "gatunJustInTime.h"
 
 #include "gatunError.h"
-#include "gatunSimplifyTarget.h"
+#include "gatunSimplifyProperties.h"
 
 #include <algorithm>
 

@@ -13,7 +13,7 @@
 #include "gatunLevelDrawer.h"
 #include "gatunOwned.h"
 #include "gatunPublishedFile.h"
-#include "gatunSimplifyTarget.h"
+#include "gatunSimplifyProperties.h"
 #include "gatunStatistics.h"
 
 #include "vtkAbstractArray.h"

@@ -6,7 +6,6 @@
 #include "gatunCellArrays.h"
 #include "gatunCellShapes.h"
 #include "gatunError.h"
-#include "vtkGatunCompat.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -125,8 +124,8 @@ void CheckCellSize(vtkIdType cell, int type, vtkIdType size)
   if (size < least || (kind.Points > 0 && size > least))
   {
     ThrowInvalid("cell " + std::to_string(cell) + " (type " + std::to_string(type) + ", " +
-      vtkCellTypeUtilities::GetClassNameFromTypeId(type) + ") has " + std::to_string(size) +
-      " points, not " + std::to_string(least) + (kind.Points > 0 ? "" : " or more"));
+      GetCellTypeName(type) + ") has " + std::to_string(size) + " points, not " +
+      std::to_string(least) + (kind.Points > 0 ? "" : " or more"));
   }
 }
 

@@ -5,7 +5,7 @@
 #define gatunFileSettings_h
 
 #include "gatunPublishedFile.h"
-#include "gatunSimplifyTarget.h"
+#include "gatunSimplifyProperties.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -12,8 +12,6 @@
 #include "gatunGhosts.h"
 #include "gatunNewArray.h"
 
-#include "vtkGatunCompat.h"
-
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -77,8 +75,7 @@ std::string List(const TypeCounts& counts, Treatment how)
     {
       const bool isKnown = how != Treatment::Refuse;
       list += (list.empty() ? "" : ", ") + std::to_string(count) + " " +
-        (isKnown ? vtkCellTypeUtilities::GetClassNameFromTypeId(type)
-                 : "of type " + std::to_string(type));
+        (isKnown ? gatun::GetCellTypeName(type) : "of type " + std::to_string(type));
     }
   }
   return list;

@@ -7,12 +7,6 @@
 #define vtkGatunCompat_h
 
 #include "vtkAlgorithm.h"
-#if __has_include("vtkCellTypeUtilities.h") // since VTK 9.6
-#include "vtkCellTypeUtilities.h"
-#else
-#include "vtkCellTypes.h"
-using vtkCellTypeUtilities = vtkCellTypes;
-#endif
 #include "vtkVersionMacros.h"
 
 namespace gatun

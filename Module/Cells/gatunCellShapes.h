@@ -46,7 +46,8 @@ struct CellKind
 /** Returns the kind of a VTK cell type, which may be any number. */
 GATUN_EXPORT CellKind GetCellKind(int type);
 
-/** The class of VTK for a cell type, or null if there is none. */
+/** The name of a cell type: that of its class in VTK, or as it would be; null for an unknown type.
+ */
 GATUN_EXPORT const char* GetCellTypeName(int type);
 }
 

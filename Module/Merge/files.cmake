@@ -11,6 +11,7 @@ gatun_core_folder(Merge
     gatunMergeDependencies.h
     gatunMergeInput.h
     gatunMergeSelection.h
+    gatunSimplifyTarget.h
     gatunSurfaceMergeBuilder.h
   PRIVATE_HEADERS
     gatunDependencyCheck.h
@@ -54,6 +55,7 @@ gatun_core_folder(Merge
     gatunMergeTree.cxx
     gatunMergeTriangles.cxx
     gatunMergeSelection.cxx
+    gatunSimplifyTarget.cxx
     gatunSurfaceCosts.cxx
     gatunSurfaceMergeBuilder.cxx
     gatunSurfaceQuadrics.cxx)

@@ -4,35 +4,14 @@
 #include "gatunExactPiece.h"
 
 #include "gatunBytes.h"
+#include "gatunGatherTuples.h"
 #include "gatunPieceCells.h"
 #include "gatunWithType.h"
 
-#include <cstring>
 #include <utility>
 
 namespace gatun
 {
-namespace
-{
-/** Copies the tuples with some numbers, in their order. */
-void Gather(const Bytes& from, const std::vector<std::uint64_t>& numbers, std::size_t tupleBytes,
-  void* target)
-{
-  auto* to = static_cast<std::uint8_t*>(target);
-  for (const auto number : numbers)
-  {
-    std::memcpy(to, from.data() + static_cast<std::size_t>(number) * tupleBytes, tupleBytes);
-    to += tupleBytes;
-  }
-}
-
-/** Whether all numbers from 0 to all - 1 are there. */
-bool IsAll(const std::vector<std::uint64_t>& numbers, std::uint64_t all)
-{
-  return numbers.size() == all;
-}
-}
-
 //------------------------------------------------------------------------------
 ExactPiece::ExactPiece(std::shared_ptr<ChunkCache> cache, const PieceRequest& request,
   const Region& region, const Progress& progress)
@@ -174,12 +153,12 @@ void ExactPiece::Fill(const PieceTarget& target, const Progress& progress)
     const auto& numbers = ofPoints ? this->Points : this->Cells;
     whole.resize(static_cast<std::size_t>(ofPoints ? points : cells) * tupleBytes);
     PieceTarget own;
-    const bool isDirect = IsAll(numbers, ofPoints ? points : cells);
+    const bool isDirect = numbers.size() == (ofPoints ? points : cells);
     aim(own, isDirect ? static_cast<void*>(to) : whole.data());
     this->Decoder.Fill(own, progress);
     if (!isDirect)
     {
-      Gather(whole, numbers, tupleBytes, to);
+      GatherTuples(whole.data(), numbers, tupleBytes, to);
     }
   };
   const auto& file = *this->Decoder.GetFile();

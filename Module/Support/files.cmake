@@ -23,6 +23,7 @@ gatun_core_folder(Support
     gatunFixedList.h
     gatunFloatEnvironment.h
     gatunFourier.h
+    gatunGatherTuples.h
     gatunInline.h
     gatunKeepMemory.h
     gatunLargeArray.h

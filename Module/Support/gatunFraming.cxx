@@ -53,14 +53,6 @@ Point GetMiddle(const Bounds& box)
   return middle;
 }
 
-/** Above 0. */
-double GetDiagonal(const Bounds& box)
-{
-  const double diagonal =
-    std::hypot(box[0].Max - box[0].Min, box[1].Max - box[1].Min, box[2].Max - box[2].Min);
-  return diagonal > 0 && std::isfinite(diagonal) ? diagonal : 1;
-}
-
 /** Coordinates along the axes of a view, from a point in the middle, where little is rounded. */
 class Axes
 {
@@ -161,6 +153,15 @@ Range FindRange(const PointBlocks& points, const Axes& axes, int axis)
 }
 
 //------------------------------------------------------------------------------
+double GetPositiveDiagonal(const Bounds& box)
+{
+  // By two numbers at a time, std::hypot would need a later C library.
+  const double diagonal =
+    std::hypot(box[0].Max - box[0].Min, box[1].Max - box[1].Min, box[2].Max - box[2].Min);
+  return diagonal > 0 && std::isfinite(diagonal) ? diagonal : 1;
+}
+
+//------------------------------------------------------------------------------
 PointBlocks::PointBlocks(std::vector<Bounds> boxes, Visit visit)
   : Show(std::move(visit))
 {
@@ -220,7 +221,7 @@ Framing FrameObject(const PointBlocks& points, const FramingView& view)
   {
     return framing;
   }
-  const double diagonal = GetDiagonal(points.GetBounds());
+  const double diagonal = GetPositiveDiagonal(points.GetBounds());
   const Axes axes(view, GetMiddle(points.GetBounds()));
   const Range depths = FindRange(points, axes, 2);
   const double slope = FramingFill * view.TangentOfHalfAngle;
@@ -267,7 +268,7 @@ Framing FrameAround(
   {
     return framing;
   }
-  const double diagonal = GetDiagonal(points.GetBounds());
+  const double diagonal = GetPositiveDiagonal(points.GetBounds());
   double distance = 0;
   double scale = 0;
   const Axes axes(view, middle);

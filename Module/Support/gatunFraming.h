@@ -16,6 +16,9 @@
 
 namespace gatun
 {
+/** The length of the diagonal of a box, or 1 if that is 0 or not finite. */
+GATUN_EXPORT double GetPositiveDiagonal(const Bounds& box);
+
 /**
  * Points in blocks, for a search of extremes. Only blocks whose boxes reach far enough are visited.
  */

@@ -25,7 +25,6 @@ gatun_core_folder(Write
     gatunCellSubset.h
     gatunDependencySection.h
     gatunFileWriterInternals.h
-    gatunGatherTuples.h
     gatunMeshSection.h
     gatunPageSection.h
     gatunPartAgreement.h

@@ -63,3 +63,13 @@ def as_numbers(values, what):
         remedy = _REMEDIES.get(kind.kind, "convert it to numbers or texts")
         raise ValueError(f"{what}: arrays of type {array.dtype} are not supported; {remedy}")
     return array.astype(kind, copy=False)
+
+
+def check_box(box):
+    """A box as six numbers."""
+    box = tuple(map(float, box))
+    if len(box) != 6:
+        raise ValueError("box: has to be xmin, xmax, ymin, ymax, zmin, zmax")
+    if not all(low <= high for low, high in zip(box[::2], box[1::2])):
+        raise ValueError(f"box: {box} has a minimum above its maximum")
+    return box

@@ -13,20 +13,11 @@ from . import _library as _c
 from ._fields import read_fields
 from ._grid import Grid
 from ._library import Buffer, Call, library
+from ._numbers import check_box
 
 # The number of points of a cell of the only type that a piece has.
 _CORNERS = {5: 3, 10: 4}
 _LARGEST_NARROW = 0x7FFFFFFF
-
-
-def check_box(box):
-    """A box as six numbers."""
-    box = tuple(map(float, box))
-    if len(box) != 6:
-        raise ValueError("box: has to be xmin, xmax, ymin, ymax, zmin, zmax")
-    if not all(low <= high for low, high in zip(box[::2], box[1::2])):
-        raise ValueError(f"box: {box} has a minimum above its maximum")
-    return box
 
 
 def _check_number(name, value, least, most):

@@ -22,6 +22,7 @@ from vtkmodules.vtkCommonMisc import vtkErrorCode
 from ._classes import get_class
 from ._errors import raising, set_property
 from ._exceptions import Error
+from ._numbers import check_box
 from ._types import Names, Path, list_names
 
 
@@ -101,15 +102,6 @@ def _choose_arrays(reader, arrays):
                 selection.EnableArray(name)
 
 
-def _check_box(box):
-    box = tuple(map(float, box))
-    if len(box) != 6:
-        raise ValueError("box: has to be xmin, xmax, ymin, ymax, zmin, zmax")
-    if not all(low <= high for low, high in zip(box[::2], box[1::2])):
-        raise ValueError(f"box: {box} has a minimum above its maximum")
-    return box
-
-
 def _find_extent(info, box):
     """The voxels of a volume that a box in world coordinates touches."""
     grid = vtkImageData()
@@ -143,7 +135,7 @@ def _read_volume(reader, options):
             reader.Update()
         else:
             info = reader.GetOutputInformation(0)
-            reader.UpdateExtent(_find_extent(info, _check_box(options["box"])))
+            reader.UpdateExtent(_find_extent(info, check_box(options["box"])))
     return reader.GetOutput()
 
 
@@ -188,7 +180,7 @@ def read(
     _choose_arrays(reader, arrays)
     moment = choose_time(reader, step, time)
     if box is not None:
-        reader.SetBox(_check_box(box))
+        reader.SetBox(check_box(box))
     set_property(reader, "ratio", "SimplificationRatio", ratio)
     reader.SetRestoreOrder(bool(restore_order))
     with raising(reader):

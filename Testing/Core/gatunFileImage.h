@@ -63,8 +63,12 @@ public:
 
   /** Throws gatun::Error if the file is damaged. */
   explicit FileImage(const std::string& path)
+    : FileImage(InputFile(path))
   {
-    const InputFile file(path);
+  }
+
+  explicit FileImage(const InputFile& file)
+  {
     const auto read = [&](FourCC name, const char* what)
     { return file.Read(file.FindSection(name, what), what); };
     this->Meta = MetaTable::Read(read(SectionMeta, "META"));

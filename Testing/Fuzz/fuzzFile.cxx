@@ -9,8 +9,6 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   gatun::fuzz::UseOneThread();
-  static gatun::fuzz::MemoryFile file;
-  file.Set({ data, size });
-  gatun::fuzz::DecodeFile(file.GetPath());
+  gatun::fuzz::DecodeFile({ data, size });
   return 0;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fuzzFiles.h"
 
+#include "gatunByteSource.h"
 #include "gatunError.h"
 #include "gatunFileReader.h"
 #include "gatunFileReaderInternals.h"
@@ -16,9 +17,6 @@
 #include <memory>
 #include <numeric>
 #include <vector>
-
-#include <sys/mman.h>
-#include <unistd.h>
 
 namespace gatun::fuzz
 {
@@ -203,41 +201,17 @@ void DecodeTree(const std::shared_ptr<const FileReader>& file)
 }
 }
 
-MemoryFile::MemoryFile()
-  : Handle(::memfd_create("gatun", MFD_CLOEXEC))
-  , Path("/proc/self/fd/" + std::to_string(Handle))
-{
-  if (this->Handle < 0)
-  {
-    Stop("memfd_create failed");
-  }
-}
-
-MemoryFile::~MemoryFile()
-{
-  ::close(this->Handle);
-}
-
-void MemoryFile::Set(std::span<const std::uint8_t> bytes)
-{
-  if (::ftruncate(this->Handle, static_cast<::off_t>(bytes.size())) != 0 ||
-    ::pwrite(this->Handle, bytes.data(), bytes.size(), 0) != static_cast<::ssize_t>(bytes.size()))
-  {
-    Stop("the file in memory cannot be written");
-  }
-}
-
 void UseOneThread()
 {
   SetNumberOfThreads(1);
 }
 
-bool DecodeFile(const std::string& path)
+bool DecodeFile(std::span<const std::uint8_t> bytes)
 {
   const auto check = [&](const Error& error)
   {
     const std::string what = error.what();
-    if (error.Path != path || !what.starts_with(path) || what.size() < path.size() + 8)
+    if (error.Path != FileName || !what.starts_with(FileName) || what.size() < FileName.size() + 8)
     {
       Stop("an error does not name the file: " + what);
     }
@@ -250,7 +224,7 @@ bool DecodeFile(const std::string& path)
   std::shared_ptr<const FileReader> file;
   try
   {
-    file = std::make_shared<FileReader>(path);
+    file = std::make_shared<FileReader>(std::make_shared<const MemorySource>(bytes), FileName);
     file->GetStatistics();
     for (std::size_t i = 0; i < std::min(MostSteps, file->GetNumberOfSteps()); ++i)
     {

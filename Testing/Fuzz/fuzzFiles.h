@@ -9,27 +9,11 @@
 
 namespace gatun::fuzz
 {
-/** A file in memory that has a name. */
-class MemoryFile
-{
-public:
-  MemoryFile();
-  ~MemoryFile();
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-
-  /** Makes these bytes the file's content. */
-  void Set(std::span<const std::uint8_t> bytes);
-
-  const std::string& GetPath() const { return this->Path; }
-
-private:
-  int Handle;
-  std::string Path;
-};
-
 /** One thread for all of gatun, so that a run can be repeated. Call it before anything else. */
 void UseOneThread();
+
+/** The name of a file in memory. */
+inline const std::string FileName = "fuzz.gtn";
 
 /**
  * Decodes a file in all ways: with its order, by pieces with ghosts, steps, field data, after
@@ -37,7 +21,7 @@ void UseOneThread();
  * a file that is accepted decodes to ids that are out of range. Returns whether the file was
  * accepted.
  */
-bool DecodeFile(const std::string& path);
+bool DecodeFile(std::span<const std::uint8_t> bytes);
 }
 
 #endif

@@ -11,6 +11,8 @@
 #include "gatunHartleyTables.h"
 
 #include <cstdlib>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,11 +23,11 @@ using namespace gatun;
 /** More than that is not asked for, as the caller has to have memory for it. */
 constexpr std::size_t MostVoxels = 1u << 18;
 
-void Decode(const std::string& path)
+void Decode(std::span<const std::uint8_t> bytes)
 {
   try
   {
-    const HartleyFile file(path);
+    const HartleyFile file(std::make_shared<const MemorySource>(bytes), fuzz::FileName);
     const auto& layout = file.GetLayout();
     const auto& size = layout.Size;
     if (layout.GetVoxelsPerBlock() > MostVoxels)
@@ -43,7 +45,7 @@ void Decode(const std::string& path)
   }
   catch (const Error& error)
   {
-    if (error.Path != path)
+    if (error.Path != fuzz::FileName)
     {
       std::abort();
     }
@@ -87,19 +89,17 @@ Bytes Repair(const Bytes& meta, Bytes table, std::span<const std::uint8_t> strea
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   fuzz::UseOneThread();
-  static fuzz::MemoryFile file;
   const auto& magic = VolumeContainer.FileMagic;
   if (size >= magic.size() && std::equal(magic.begin(), magic.end(), data))
   {
-    file.Set({ data, size });
+    Decode({ data, size });
   }
   else
   {
     fuzz::Input in(data, size);
     const auto meta = fuzz::Copy(in.TakePart());
     const auto table = fuzz::Copy(in.TakePart());
-    file.Set(Repair(meta, table, in.TakeRest()));
+    Decode(Repair(meta, table, in.TakeRest()));
   }
-  Decode(file.GetPath());
   return 0;
 }

@@ -10,6 +10,7 @@
 #include "gatunTreeSample.h"
 
 #include <array>
+#include <memory>
 #include <random>
 
 // Only libFuzzer's programs have it.
@@ -22,12 +23,6 @@ namespace
 {
 using namespace gatun;
 using Image = gatun::test::FileImage;
-
-fuzz::MemoryFile& GetFile()
-{
-  static fuzz::MemoryFile file;
-  return file;
-}
 
 void Mutate(Bytes& bytes, std::size_t room)
 {
@@ -137,9 +132,8 @@ void ChangeSteps(Image& image, std::minstd_rand& random)
 class TreeParts
 {
 public:
-  explicit TreeParts(const std::string& path)
+  explicit TreeParts(const InputFile& file)
   {
-    const InputFile file(path);
     const auto read = [&](FourCC name)
     {
       std::vector<Bytes> payloads;
@@ -375,11 +369,10 @@ Bytes PutTogether(std::span<const std::uint8_t> whole, const StreamRef& section)
 class OtherParts
 {
 public:
-  OtherParts(const std::string& path, std::span<const std::uint8_t> whole)
+  OtherParts(const InputFile& file, std::span<const std::uint8_t> whole)
   {
     constexpr std::array names{ SectionLayers, SectionSurface, SectionBoundary, SectionGrid,
       SectionTime, SectionLive };
-    const InputFile file(path);
     for (const auto& section : file.GetSections())
     {
       if (section.Name == SectionGrid)
@@ -437,11 +430,10 @@ private:
 
 Bytes ChangeFile(std::span<const std::uint8_t> bytes, std::minstd_rand& random)
 {
-  fuzz::MemoryFile file;
-  file.Set(bytes);
-  Image image(file.GetPath());
-  TreeParts tree(file.GetPath());
-  OtherParts others(file.GetPath(), bytes);
+  const InputFile file(std::make_shared<const MemorySource>(bytes), fuzz::FileName);
+  Image image(file);
+  TreeParts tree(file);
+  OtherParts others(file, bytes);
   if (!others.IsEmpty() && random() % 2)
   {
     others.Change(random);
@@ -484,8 +476,6 @@ std::size_t LLVMFuzzerCustomMutator(
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   fuzz::UseOneThread();
-  auto& file = GetFile();
-  file.Set({ data, size });
-  fuzz::DecodeFile(file.GetPath());
+  fuzz::DecodeFile({ data, size });
   return 0;
 }

@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace
@@ -70,6 +71,11 @@ bool IsRight(int type, int& linear)
   if (!cell)
   {
     return true; // a type without a class, or none at all
+  }
+  const char* const name = gatun::GetCellTypeName(type);
+  if (!name || std::string(name) != cell->GetClassName())
+  {
+    return false;
   }
   if (kind.Dimension != cell->GetCellDimension() ||
     (kind.Points > 0 && kind.Points != cell->GetNumberOfPoints()))

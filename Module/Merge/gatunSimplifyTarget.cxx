@@ -12,28 +12,6 @@
 namespace gatun
 {
 //------------------------------------------------------------------------------
-SimplifyTarget SimplifyProperties::GetTarget() const
-{
-  if (this->RMSError != 0) // NaN is an error
-  {
-    return { SimplifyTarget::RMSError, this->RMSError };
-  }
-  if (this->NumberOfPoints != 0)
-  {
-    return { SimplifyTarget::NumberOfPoints, static_cast<double>(this->NumberOfPoints) };
-  }
-  return { SimplifyTarget::Ratio, this->Ratio };
-}
-
-//------------------------------------------------------------------------------
-void SimplifyProperties::Print(ostream& os, vtkIndent indent) const
-{
-  os << indent << "SimplificationRatio: " << this->Ratio << "\n";
-  os << indent << "SimplificationNumberOfPoints: " << this->NumberOfPoints << "\n";
-  os << indent << "SimplificationRMSError: " << this->RMSError << "\n";
-}
-
-//------------------------------------------------------------------------------
 std::size_t CountMerges(const SimplifyTarget& target, std::uint64_t points, std::size_t most,
   const std::function<const MergeTree&()>& getTree)
 {
