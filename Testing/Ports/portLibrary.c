@@ -7,6 +7,7 @@
 
 #include <gatun.h>
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -180,7 +181,7 @@ static uint64_t hash_surfaces(gatun_file* file, const gatun_info* info, const ga
       middle = range[0] + (range[1] - range[0]) / 2;
       contour.array = number;
       contour.values = &middle;
-      contour.value_count = range[0] <= range[1];
+      contour.value_count = range[0] <= range[1] && isfinite(middle);
       stop_unless(gatun_prepare_contour(file, &request, &contour, &sizes, NULL, NULL, &prepared));
       got = read_piece(file, prepared, &sizes, &request);
       hash = add_piece(hash, &got);
@@ -223,14 +224,13 @@ static gatun_status write_copy(gatun_file* file, const gatun_info* info, const p
   mesh.face_locations = from->buffers.face_locations.data;
   mesh.faces = from->buffers.faces.data;
   mesh.faces_size = from->sizes.faces;
-  if (from->sizes.cell_type != 0)
+  if (from->sizes.cell_type == 5) /* without types, all are tetrahedra */
   {
-    const uint64_t corners = from->sizes.cell_type == 10 ? 4 : 3;
     offsets = allocate(8 * (mesh.cells + 1));
     types = allocate(mesh.cells);
     for (i = 0; i <= mesh.cells; ++i)
     {
-      ((int64_t*)offsets.data)[i] = (int64_t)(corners * i);
+      ((int64_t*)offsets.data)[i] = (int64_t)(3 * i);
     }
     memset(types.data, (int)from->sizes.cell_type, mesh.cells);
     mesh.offsets = offsets.data;
