@@ -94,7 +94,7 @@ Surface ExtractSlice(const std::shared_ptr<ChunkCache>& cache, const PieceReques
       throw Error(ErrorCode::Aborted, "aborted");
     }
     part.Chunks.clear();
-    for (std::uint64_t tets = 0; first < chunks.size() && tets < 1000 && first + 2 < chunks.size(); ++first)
+    for (std::uint64_t tets = 0; first < chunks.size() && tets < TetsAtOnce; ++first)
     {
       tets += file.GetChunks()[chunks[first]].Tets;
       part.Chunks.push_back(chunks[first]);

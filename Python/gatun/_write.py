@@ -229,7 +229,7 @@ class Writer:
         with File(self._path) as file:
             self._arrays.list = list(file.arrays)
             self._points_move = bool(file.info["pointsMove"])
-        check(library.gatun_append(encode(self._path), ctypes.byref(self._pointer)), self._path)
+        check(library.gatun_append(encode(self._path), None, 0, None, ctypes.byref(self._pointer)), self._path)
 
     def add_mesh(
         self,
@@ -271,6 +271,7 @@ class Writer:
             self._call(
                 library.gatun_add_mesh,
                 ctypes.byref(mesh.structure),
+                None,
                 progress=progress,
                 tail=(ctypes.byref(number),),
             )
