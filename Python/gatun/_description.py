@@ -12,6 +12,9 @@ import numpy as np
 
 from . import _library as _c
 
+#: Kinds of keys whose numbers are the bits of doubles.
+KINDS_OF_DOUBLES = (2, 7, 9)
+
 
 @dataclasses.dataclass(frozen=True)
 class Array:
@@ -71,25 +74,35 @@ def decode_keys(keys, count):
         if key.texts or not key.numbers:
             values = decode_texts(key.texts, key.count)
         else:
-            # The bits of doubles in kinds 2 and 7, or else of integers.
+            # The bits of doubles, or else of integers.
             bits = np.array(key.numbers[: key.count], np.uint64)
-            values = tuple(bits.view(np.float64 if key.kind in (2, 7) else np.int64).tolist())
+            values = tuple(bits.view(np.float64 if key.kind in KINDS_OF_DOUBLES else np.int64).tolist())
         found.append((_c.decode_text(key.location), _c.decode_text(key.name), key.kind, values))
     return tuple(found)
 
 
-def decode_array(array, key):
+def _decode(found, key, is_cell, roles):
     return Array(
-        _c.decode_text(array.name),
+        _c.decode_text(found.name),
         key,
-        bool(array.is_cell),
-        np.dtype(_c.DTYPES[array.type]),
-        array.components,
-        decode_texts(array.component_names, array.components),
-        array.roles,
-        array.vtk_type,
-        decode_keys(array.keys, array.key_count),
+        is_cell,
+        np.dtype(_c.DTYPES.get(found.type, object)),
+        found.components,
+        decode_texts(found.component_names, found.components),
+        roles,
+        found.vtk_type,
+        decode_keys(found.keys, found.key_count),
     )
+
+
+def decode_array(array, key):
+    """An array of the library, with its key."""
+    return _decode(array, key, bool(array.is_cell), array.roles)
+
+
+def decode_field(field):
+    """A field array of the library; one of texts has objects."""
+    return _decode(field, _c.decode_text(field.name), False, 0)
 
 
 def make_key(name, number, taken):

@@ -11,6 +11,7 @@ import numpy as np
 
 from . import _library as _c
 from ._cells import as_points, join_corners, list_blocks
+from ._description import KINDS_OF_DOUBLES
 from ._numbers import as_numbers
 from ._piece import to_buffer
 
@@ -154,7 +155,7 @@ class _Description:
             key.texts = (ctypes.c_char_p * len(values))(*(_c.encode_text(v, what) for v in values))
             self._kept.append(key.texts)
         else:
-            dtype = np.float64 if kind in (2, 7) else np.int64
+            dtype = np.float64 if kind in KINDS_OF_DOUBLES else np.int64
             bits = np.array(values, dtype).view(np.uint64)
             self._kept.append(bits)
             key.numbers = bits.ctypes.data_as(ctypes.POINTER(ctypes.c_uint64))
