@@ -87,15 +87,15 @@ run_solver() {
   run "$1" portSolver solver.gtn 2 >>"$build/$1-solver.txt"
 }
 
-# Only functions of gatun.h, and nothing needed but what each Windows has.
+# All functions of gatun.h and no others, and nothing needed but what each Windows has.
 check_dll() {
-  local dll=$build/windows/bin/gatun.dll needed exported
-  needed=$(x86_64-w64-mingw32-objdump -p "$dll" | sed -n 's/.*DLL Name: //p' | sort -f | tr '\n' ' ')
-  exported=$(x86_64-w64-mingw32-objdump -p "$dll" | sed -n '/Ordinal\/Name Pointer/,$p' | grep -c '\] ')
-  [ "$(x86_64-w64-mingw32-objdump -p "$dll" | sed -n '/Ordinal\/Name Pointer/,$p' | grep '\] ' |
-    grep -vc '\] gatun_')" = 0 ]
-  say "gatun.dll has $exported functions and needs $needed"
-  [ "$needed" = "KERNEL32.dll msvcrt.dll " ]
+  local contents needed
+  contents=$(x86_64-w64-mingw32-objdump -p "$build/windows/bin/gatun.dll")
+  diff <(grep '^gatun_' "$root/Testing/Library/symbols.txt" | LC_ALL=C sort) \
+    <(sed -n '/^\[Ordinal/,$s/^\t\[.* //p' <<<"$contents" | LC_ALL=C sort)
+  needed=$(sed -n 's/.*DLL Name: //p' <<<"$contents" | LC_ALL=C sort | xargs)
+  say "gatun.dll needs $needed"
+  [ "$needed" = "KERNEL32.dll msvcrt.dll" ]
 }
 
 mkdir -p "$build"

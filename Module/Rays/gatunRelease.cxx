@@ -86,7 +86,7 @@ void Release::Find(std::span<const RayBlock::Tet> neighbors, std::span<const std
     }
     this->MostWaiting = std::max(this->MostWaiting, arrived - drawn);
   }
-  for (std::uint32_t tet = 0; drawn < count; ++tet)
+  for (std::uint32_t tet = 0; tet < count && drawn < count; ++tet)
   {
     if ((state[tet] & Taken) == 0)
     {

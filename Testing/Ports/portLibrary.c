@@ -1,19 +1,23 @@
 /* SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors */
 /* SPDX-License-Identifier: BSD-3-Clause */
 
-/* Compares systems by the C interface alone: portLibrary FILE... prints a line for each .gtn or .ghv file, with the
- * hash of all that is read of it, of an isosurface and a slice, and of the file that is written of its first step.
- * Works in the current folder. See portHashes.cxx for the core. */
+/* Compares systems by the C interface alone: portLibrary FILE... prints a line for each .gtn or
+ * .ghv file, with the hash of all that is read of it, of an isosurface and a slice, and of the file
+ * that is written of its first step. Works in the current folder. See portHashes.cxx for the core.
+ */
 
 #include <gatun.h>
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Beyond the first 65,536 characters of Unicode, too. */
-static const char* const name_in_unicode = "gr\xC3\xB6\xC3\x9F" "e \xE6\xB5\xAA \xF0\x9D\x84\x9E.gtn";
+/* Umlauts, letters beyond the first 65,536 of Unicode, and with its folder more than the 260
+ * characters of Windows. */
+#define FORTY "0123456789012345678901234567890123456789"
+static const char* const long_name =
+  "gr\xC3\xB6\xC3\x9F"
+  "e \xE6\xB5\xAA \xF0\x9D\x84\x9E " FORTY FORTY FORTY FORTY FORTY ".gtn";
 static const char* const copy_name = "portLibrary.gtn";
 
 static int failures = 0;
@@ -159,7 +163,8 @@ static piece read_step(gatun_file* file, const gatun_request* request)
   return read_piece(file, prepared, &sizes, request);
 }
 
-/* An isosurface of the first point array at the middle of its values, and a slice through the middle of the mesh. */
+/* An isosurface of the first point array at the middle of its values, and a slice through the
+ * middle of the mesh. */
 static uint64_t hash_surfaces(gatun_file* file, const gatun_info* info, const gatun_request* all)
 {
   uint64_t hash = first_hash;
@@ -181,7 +186,7 @@ static uint64_t hash_surfaces(gatun_file* file, const gatun_info* info, const ga
       middle = range[0] + (range[1] - range[0]) / 2;
       contour.array = number;
       contour.values = &middle;
-      contour.value_count = range[0] <= range[1] && isfinite(middle);
+      contour.value_count = range[0] <= range[1] && middle - middle == 0; /* finite */
       stop_unless(gatun_prepare_contour(file, &request, &contour, &sizes, NULL, NULL, &prepared));
       got = read_piece(file, prepared, &sizes, &request);
       hash = add_piece(hash, &got);
@@ -202,7 +207,8 @@ static uint64_t hash_surfaces(gatun_file* file, const gatun_info* info, const ga
 }
 
 /* Writes a step to a file, in its order. */
-static gatun_status write_copy(gatun_file* file, const gatun_info* info, const piece* from, const char* path)
+static gatun_status write_copy(
+  gatun_file* file, const gatun_info* info, const piece* from, const char* path)
 {
   gatun_mesh mesh = GATUN_INIT(gatun_mesh);
   gatun_options options = GATUN_INIT(gatun_options);
@@ -224,7 +230,7 @@ static gatun_status write_copy(gatun_file* file, const gatun_info* info, const p
   mesh.face_locations = from->buffers.face_locations.data;
   mesh.faces = from->buffers.faces.data;
   mesh.faces_size = from->sizes.faces;
-  if (from->sizes.cell_type == 5) /* without types, all are tetrahedra */
+  if (from->sizes.cell_type == 5) /* triangles; tetrahedra need no offsets and types */
   {
     offsets = allocate(8 * (mesh.cells + 1));
     types = allocate(mesh.cells);
@@ -232,7 +238,7 @@ static gatun_status write_copy(gatun_file* file, const gatun_info* info, const p
     {
       ((int64_t*)offsets.data)[i] = (int64_t)(3 * i);
     }
-    memset(types.data, (int)from->sizes.cell_type, mesh.cells);
+    memset(types.data, 5, mesh.cells);
     mesh.offsets = offsets.data;
     mesh.types = types.data;
   }
@@ -297,7 +303,8 @@ static gatun_request request_all(uint32_t arrays, uint32_t** numbers)
   return request;
 }
 
-/* The copy has what it was made of, also under a name in Unicode, and while a reader has it open. */
+/* The copy has what it was made of, also under a long name in Unicode, and while a reader has it
+ * open. */
 static void check_copy(gatun_file* file, const gatun_info* info, const piece* from)
 {
   const uint64_t wanted = add_piece(first_hash, from);
@@ -306,11 +313,16 @@ static void check_copy(gatun_file* file, const gatun_info* info, const piece* fr
   gatun_request request = request_all((uint32_t)from->buffers.array_count, &numbers);
   gatun_status status;
   piece back;
-  stop_unless(write_copy(file, info, from, name_in_unicode));
-  expect(gatun_kind_of(name_in_unicode) == (info->is_surface ? GATUN_KIND_SURFACE : GATUN_KIND_MESH), "the kind");
-  stop_unless(gatun_open(name_in_unicode, 0, &copy));
-  status = write_copy(file, info, from, name_in_unicode);
-  expect(status == GATUN_OK || strlen(gatun_error()) > 0, "a file that is open is replaced, or a text says why not");
+  status = write_copy(file, info, from, "no such folder/copy.gtn");
+  expect(status == GATUN_CANNOT_WRITE && strstr(gatun_error(), "no such folder"),
+    "a missing folder is told");
+  stop_unless(write_copy(file, info, from, long_name));
+  expect(gatun_kind_of(long_name) == (info->is_surface ? GATUN_KIND_SURFACE : GATUN_KIND_MESH),
+    "the kind");
+  stop_unless(gatun_open(long_name, 0, &copy));
+  status = write_copy(file, info, from, long_name);
+  expect(status == GATUN_OK || strlen(gatun_error()) > 0,
+    "a file that is open is replaced, or a text says why not");
   back = read_step(copy, &request);
   expect(add_piece(first_hash, &back) == wanted, "what is read of the copy");
   free_piece(&back);
@@ -364,7 +376,8 @@ static void print_volume(const char* path)
   gatun_buffer voxels;
   stop_unless(gatun_open_volume(path, &volume));
   stop_unless(gatun_get_volume_info(volume, &info));
-  voxels = allocate((uint64_t)info.dimensions[0] * info.dimensions[1] * info.dimensions[2] * size_of(info.type));
+  voxels = allocate(
+    (uint64_t)info.dimensions[0] * info.dimensions[1] * info.dimensions[2] * size_of(info.type));
   stop_unless(gatun_read_voxels(volume, first, info.dimensions, &voxels, NULL, NULL));
   printf(" read %016llx", (unsigned long long)add_buffer(first_hash, &voxels));
   free(voxels.data);
@@ -375,7 +388,8 @@ int main(int argc, char* argv[])
 {
   gatun_file* none = NULL;
   int i;
-  expect(gatun_open("no such file.gtn", 0, &none) == GATUN_CANNOT_OPEN && strstr(gatun_error(), "no such file.gtn"),
+  expect(gatun_open("no such file.gtn", 0, &none) == GATUN_CANNOT_OPEN &&
+      strstr(gatun_error(), "no such file.gtn"),
     "a missing file is told");
   for (i = 1; i < argc; ++i)
   {
