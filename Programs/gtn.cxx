@@ -3,6 +3,7 @@
 
 // The gtn program: options that all subcommands have, exit codes.
 
+#include "gtnAddress.h"
 #include "gtnCommands.h"
 #include "gtnFailure.h"
 #include "gtnHelp.h"
@@ -144,6 +145,7 @@ int Guarded(int argc, char* argv[])
   {
     CatchMessages();
     CatchInterrupts();
+    OpenAddresses();
     const int code = Run(argc, argv);
     if (std::fflush(stdout) != 0)
     {

@@ -21,6 +21,7 @@
 #include "gtnText.h"
 #include "gtnXMLMesh.h"
 
+#include "gatunByteSource.h"
 #include "gatunCellCheck.h"
 #include "gatunError.h"
 
@@ -40,7 +41,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 
 namespace gtn
@@ -83,7 +83,7 @@ std::uint64_t EstimateMesh(const std::string& file, const InputOptions& options)
   if (ExtensionOf(file) != ".vtu")
   {
     constexpr std::uint64_t compression = 4;
-    return compression * std::filesystem::file_size(file);
+    return compression * gatun::OpenFile(file)->GetSize();
   }
   const XMLSummary summary = ReadXMLSummary(file);
   constexpr std::uint64_t coordinates = 24;
