@@ -3,6 +3,7 @@
 
 // The gtn program: options that all subcommands have, exit codes.
 
+#include "gtnAddress.h"
 #include "gtnCommands.h"
 #include "gtnFailure.h"
 #include "gtnHelp.h"
@@ -89,8 +90,9 @@ int Run(int argc, char* argv[])
     fmt::format("gtn {} (format {})", gatun::PackageVersion(), gatun::FormatVersion()));
   app.require_subcommand(0, 1); // none is looked at below, after unknown options
   app.formatter(std::make_shared<HelpFormatter>());
-  app.footer("gtn COMMAND --help prints the options of a command and examples.\n"
-             "Exit codes: 0 success, 1 failure, 2 wrong usage.");
+  app.footer(std::string("gtn COMMAND --help prints the options of a command and examples.\n"
+                         "Exit codes: 0 success, 1 failure, 2 wrong usage.\n") +
+    AddressHelp);
   app.failure_message([](const CLI::App*, const CLI::Error& error)
     { return fmt::format("gtn: {}; see gtn --help\n", error.what()); });
   // For the build, which installs what they write.
@@ -144,6 +146,7 @@ int Guarded(int argc, char* argv[])
   {
     CatchMessages();
     CatchInterrupts();
+    OpenAddresses();
     const int code = Run(argc, argv);
     if (std::fflush(stdout) != 0)
     {

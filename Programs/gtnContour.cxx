@@ -14,6 +14,8 @@
 #include "gtnSurfaceWriter.h"
 #include "gtnText.h"
 
+#include "gatunByteSource.h"
+
 #include "vtkGatunContour.h"
 
 #include "vtkCellArray.h"
@@ -218,7 +220,7 @@ void PrintStatistics(const ContourOptions& options, const ContourInput& input,
     PrintRow("  of", GroupDigits(get("Chunks")));
     PrintRow("tetrahedra in these", GroupDigits(get("UsedTetrahedra")));
     PrintRow("read", DescribeByteSize(get("BytesRead")));
-    PrintRow("  of", DescribeByteSize(std::filesystem::file_size(options.Input.File)));
+    PrintRow("  of", DescribeByteSize(gatun::OpenFile(options.Input.File)->GetSize()));
   }
   PrintRow("time", fmt::format("{:.3f} s", seconds));
 }

@@ -3,6 +3,7 @@
 
 // gtn --manual: the manual pages, one for gtn and one for each command, from the texts of --help.
 
+#include "gtnAddress.h"
 #include "gtnCommands.h"
 #include "gtnFailure.h"
 #include "gtnHelp.h"
@@ -152,7 +153,8 @@ std::string DescribeProgram(const CLI::App& app)
     ".SH DESCRIPTION\nA .gtn file stores a mesh or a surface with all of its arrays and "
     "time steps, bit for bit. A .ghv file stores a regular volume as Hartley coefficients. "
     "The commands are:\n" +
-    ListCommands(app) + DescribeOptions(app) + DescribeRest(app, "gtn");
+    ListCommands(app) + DescribeOptions(app) + ".SH FILES ON WEB SERVERS\n" + Escaped(AddressHelp) +
+    "\n" + DescribeRest(app, "gtn");
 }
 
 std::string DescribeCommand(const CLI::App& command, const std::string& name)

@@ -29,6 +29,7 @@ LAYERS = {
     "Filters": [CORE, "IO/Bridge", "IO"],
     "Rendering": [CORE, "IO/Bridge", "IO", "Filters"],
     "Programs/Text": [CORE],
+    "Programs/Web": [CORE, "Programs/Text"],
     "Programs/Output": [CORE, "IO/Bridge", "IO", "Filters", "Rendering", "Programs/Text"],
     "Programs/Ranges": [CORE, "IO/Bridge", "IO", "Programs/Text"],
     "Programs/Input": [CORE, "IO/Bridge", "IO", "Filters", "Rendering", "Programs/Text",
@@ -38,8 +39,8 @@ LAYERS = {
     "Programs/Compare": [CORE, "IO/Bridge", "IO", "Programs/Text"],
     "Programs": [CORE, "IO/Bridge", "IO", "Filters", "Filters/TetGen",
                  "Rendering",
-                 "Programs/Text", "Programs/Output", "Programs/Ranges", "Programs/Input",
-                 "Programs/Options", "Programs/Compare"],
+                 "Programs/Text", "Programs/Web", "Programs/Output", "Programs/Ranges",
+                 "Programs/Input", "Programs/Options", "Programs/Compare"],
     "paraview_plugin/Representations": [CORE, "IO/Bridge", "IO", "Filters", "Rendering"],
 }
 

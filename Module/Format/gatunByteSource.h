@@ -45,12 +45,26 @@ public:
   virtual std::uint64_t GetSize() const = 0;
 
   /** Reads at an offset and removes the bytes read from the span. Bytes remain only if the file
-   * ends before. Returns 0, NotHere or another value of errno. */
+   * ends before. Returns 0, NotHere or another value of errno. May throw Error with a message of
+   * its own. */
   virtual int ReadAt(std::uint64_t offset, std::span<std::uint8_t>& bytes) const = 0;
+
+  /** Whether each read costs a request over a network. Decoders then call Fetch before they read.
+   */
+  virtual bool IsRemote() const { return false; }
+
+  /** Ranges that will be read soon, sorted and apart, so that few requests bring them. */
+  virtual void Fetch(const std::vector<ByteRange>& ranges) const { static_cast<void>(ranges); }
 };
 
 /** A file on disk. Throws Error(CannotOpen) unless it is a regular file that can be read. */
 GATUN_EXPORT std::shared_ptr<const ByteSource> OpenFile(const std::string& path);
+
+/** Opens a name that stands for no file on disk, such as an address; null for other names. */
+using SourceOpener = std::shared_ptr<const ByteSource> (*)(const std::string& name);
+
+/** Sets what OpenFile tries first. Default: null. Thread safe. */
+GATUN_EXPORT void SetSourceOpener(SourceOpener opener);
 
 /** A file in memory that the caller keeps and does not change. */
 class GATUN_EXPORT MemorySource : public ByteSource

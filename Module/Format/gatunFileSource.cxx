@@ -5,8 +5,15 @@
 
 #include "gatunError.h"
 
+#include <atomic>
+
 namespace gatun
 {
+namespace
+{
+std::atomic<SourceOpener> Opener{ nullptr };
+}
+
 //------------------------------------------------------------------------------
 FileSource::FileSource(const std::string& path)
 {
@@ -28,6 +35,14 @@ FileSource::FileSource(const std::string& path)
 //------------------------------------------------------------------------------
 std::shared_ptr<const ByteSource> OpenFile(const std::string& path)
 {
-  return std::make_shared<const FileSource>(path);
+  const auto opener = Opener.load();
+  auto opened = opener ? opener(path) : nullptr;
+  return opened ? opened : std::make_shared<const FileSource>(path);
+}
+
+//------------------------------------------------------------------------------
+void SetSourceOpener(SourceOpener opener)
+{
+  Opener = opener;
 }
 }

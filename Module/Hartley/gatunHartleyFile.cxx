@@ -411,6 +411,10 @@ void HartleyFile::GetVoxels(const HartleyLayout::Triple& first, const HartleyLay
   const BlockBox blocks(layout, first, end);
   const auto isWanted = [&](const HartleyLayout::Triple& place) { return blocks.Contains(place); };
   const auto chunks = blocks.FindChunks(layout);
+  if (const auto& source = this->Data->File.GetSource(); source.IsRemote())
+  {
+    source.Fetch(JoinRanges(this->GetByteRanges(first, end), 0));
+  }
   const VoxelBox box{ first, end, this->GetVolume().Type, values };
   ForEachHartleyChunk(
     chunks.size(),

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunFileRaySource.h"
 
+#include "gatunBytePlan.h"
 #include "gatunChunkCache.h"
 #include "gatunFileReader.h"
 #include "gatunRayBlockCache.h"
@@ -22,10 +23,15 @@ public:
     , Parts(std::move(parts))
   {
     CheckRayValues(*this->File, values);
+    PieceRequest all;
     for (std::size_t chunk = 0; chunk < this->File->GetChunks().size(); ++chunk)
     {
       this->Boxes.push_back(this->File->GetChunkBounds(chunk, 0, values.Step));
+      all.Chunks.push_back(static_cast<std::uint32_t>(chunk));
     }
+    all.Arrays = { values.Array };
+    all.Step = values.Step;
+    FetchPiece(*this->File, all);
   }
 
   std::shared_ptr<const FileReader> File;

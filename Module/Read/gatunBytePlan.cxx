@@ -140,4 +140,16 @@ void PlanPiece(const FileReader& file, const PieceRequest& request, BytePlan& pl
     plan.Try([&] { planner.AddBlock(block, plan.Ranges); });
   }
 }
+
+//------------------------------------------------------------------------------
+void FetchPiece(const FileReader& file, const PieceRequest& request)
+{
+  const auto& source = InternalsOf(file).File.GetSource();
+  if (source.IsRemote())
+  {
+    BytePlan plan;
+    PlanPiece(file, request, plan);
+    source.Fetch(JoinRanges(std::move(plan.Ranges), 0));
+  }
+}
 }

@@ -44,6 +44,9 @@ struct BytePlan
 /** Adds what a PieceDecoder reads for a request: mesh, shared points, original numbers and arrays
  * of its chunks; after merges all chunks, and around ghosts those of others. Reads tables only. */
 GATUN_EXPORT void PlanPiece(const FileReader& file, const PieceRequest& request, BytePlan& plan);
+
+/** Tells a remote source what will be read for a request. Does nothing for other sources. */
+void FetchPiece(const FileReader& file, const PieceRequest& request);
 }
 
 #endif

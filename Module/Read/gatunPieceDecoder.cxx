@@ -3,6 +3,7 @@
 
 #include "gatunPieceDecoder.h"
 
+#include "gatunBytePlan.h"
 #include "gatunChunkCache.h"
 #include "gatunChunkSetDecoder.h"
 #include "gatunCoarsePiece.h"
@@ -117,6 +118,7 @@ void PieceDecoder::Internals::SetRequest(const PieceRequest& request, const Prog
 {
   this->CheckRequest(request);
   this->CheckValues(request);
+  FetchPiece(*this->File, request);
   const bool same = (this->Piece || this->Coarse) && request.Merges == this->Request.Merges &&
     request.Tree == this->Request.Tree && request.RestoreOrder == this->Request.RestoreOrder &&
     request.Chunks == this->Request.Chunks && request.Universe == this->Request.Universe &&

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunFileSurface.h"
 
+#include "gatunBytePlan.h"
 #include "gatunChunkSurface.h"
 #include "gatunCoarsePiece.h"
 #include "gatunError.h"
@@ -23,6 +24,18 @@ constexpr std::uint64_t CoarseBatch = 1u << 21;
 // Bytes kept in any case: of points that chunks share; with merges, of chunks.
 constexpr std::uint64_t SharedCache = 32u << 20;
 constexpr std::uint64_t CoarseCache = 64u << 20;
+
+/** The arrays to decode: those that the surface carries, and at last the one that it is made of
+ * unless it is among them. */
+std::vector<std::uint32_t> ListArrays(const FileSurfaceRequest& request)
+{
+  auto arrays = request.Arrays;
+  if (!std::binary_search(arrays.begin(), arrays.end(), request.Array))
+  {
+    arrays.push_back(request.Array);
+  }
+  return arrays;
+}
 }
 
 /** Simplified chunks. */
@@ -184,15 +197,23 @@ bool FileSurface::Touch(std::uint32_t a, std::uint32_t b, std::size_t step) cons
 }
 
 //------------------------------------------------------------------------------
+/** Tells a remote source what will be read. */
+void FileSurface::Fetch(std::vector<std::uint32_t> chunks, const FileSurfaceRequest& request) const
+{
+  PieceRequest piece;
+  piece.Chunks = std::move(chunks);
+  piece.Arrays = ListArrays(request);
+  piece.Step = request.Step;
+  piece.Merges = this->Layout ? this->Layout->GetCut().GetLast() : 0;
+  FetchPiece(*this->GetFile(), piece);
+}
+
+//------------------------------------------------------------------------------
 FileSurface::Mesh FileSurface::DecodeCoarse(
   std::vector<std::uint32_t> chunks, const FileSurfaceRequest& request) const
 {
   const FileReader& file = *this->GetFile();
-  auto arrays = request.Arrays;
-  if (!std::binary_search(arrays.begin(), arrays.end(), request.Array))
-  {
-    arrays.push_back(request.Array);
-  }
+  const auto arrays = ListArrays(request);
   Mesh mesh;
   PieceRequest piece;
   piece.Chunks = std::move(chunks);
@@ -298,13 +319,16 @@ Surface FileSurface::Extract(const FileSurfaceRequest& request, const Progress& 
   const std::vector<std::uint32_t> lists[] = { { around.begin(), first }, own,
     { first, around.end() } };
   this->Statistics = { own.size() + around.size(), 0 };
+  std::vector<std::uint32_t> chunks;
   for (const auto& list : lists)
   {
+    chunks.insert(chunks.end(), list.begin(), list.end());
     for (const std::uint32_t chunk : list)
     {
       this->Statistics.Tets += this->GetFile()->GetChunks()[chunk].Tets;
     }
   }
+  this->Fetch(std::move(chunks), request);
   std::optional<ChunkSurface> maker;
   if (!this->Layout)
   {

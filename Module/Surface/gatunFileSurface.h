@@ -105,6 +105,7 @@ private:
   const IntervalTree& GetRanges(const FileSurfaceRequest& request);
   bool Touch(std::uint32_t a, std::uint32_t b, std::size_t step) const;
   Bounds GetBounds(std::uint32_t chunk, std::size_t step) const;
+  void Fetch(std::vector<std::uint32_t> chunks, const FileSurfaceRequest& request) const;
   Mesh DecodeCoarse(std::vector<std::uint32_t> chunks, const FileSurfaceRequest& request) const;
   static std::vector<SurfacePart> MakeParts(ChunkSurface& maker,
     const std::vector<std::uint32_t>& chunks, const SurfaceOptions& options,

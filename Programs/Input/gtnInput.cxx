@@ -21,13 +21,16 @@
 #include "gtnText.h"
 #include "gtnXMLMesh.h"
 
+#include "gatunByteSource.h"
 #include "gatunCellCheck.h"
 #include "gatunError.h"
+#include "vtkGatunMeshReader.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataArraySelection.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
@@ -40,7 +43,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <array>
 #include <set>
 
 namespace gtn
@@ -83,7 +86,7 @@ std::uint64_t EstimateMesh(const std::string& file, const InputOptions& options)
   if (ExtensionOf(file) != ".vtu")
   {
     constexpr std::uint64_t compression = 4;
-    return compression * std::filesystem::file_size(file);
+    return compression * gatun::OpenFile(file)->GetSize();
   }
   const XMLSummary summary = ReadXMLSummary(file);
   constexpr std::uint64_t coordinates = 24;
@@ -91,6 +94,39 @@ std::uint64_t EstimateMesh(const std::string& file, const InputOptions& options)
   return idBytes * summary.Corners +
     summary.Points * (coordinates + SizeOfTuple(summary.Grid->GetPointData())) +
     summary.Cells * (idBytes + 1 + SizeOfTuple(summary.Grid->GetCellData()));
+}
+
+// Leaves what is not wanted of a .gtn file unread. If an array is unknown, all are read, as one of
+// a later mesh may be wanted; if not, the Preparer says so.
+void SelectArrays(vtkAlgorithm* algorithm, const InputOptions& options)
+{
+  auto* const reader = vtkGatunMeshReader::SafeDownCast(algorithm);
+  if (!reader || options.AllArrays)
+  {
+    return;
+  }
+  reader->UpdateInformation();
+  const std::array<vtkDataArraySelection*, 2> selections{ reader->GetPointDataArraySelection(),
+    reader->GetCellDataArraySelection() };
+  for (const std::string& name : options.Arrays)
+  {
+    if (std::none_of(selections.begin(), selections.end(),
+          [&](vtkDataArraySelection* all) { return all->ArrayExists(name.c_str()) != 0; }))
+    {
+      return;
+    }
+  }
+  for (vtkDataArraySelection* const selection : selections)
+  {
+    selection->DisableAllArrays();
+    for (const std::string& name : options.Arrays)
+    {
+      if (selection->ArrayExists(name.c_str()))
+      {
+        selection->EnableArray(name.c_str());
+      }
+    }
+  }
 }
 
 // Takes the files that are missing out of the steps of a list, with those that have no others.
@@ -225,6 +261,7 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
     else
     {
       reader = MakeReader(this->Name, options.Sets);
+      SelectArrays(reader, options);
     }
     if (!reader)
     {

@@ -150,7 +150,8 @@ std::vector<std::string> FindSlices(const std::string& folderOrPattern)
       throw Failure(folderOrPattern, error.message());
     }
   }
-  else if (folderOrPattern.find_first_of("*?[") == std::string::npos ||
+  else if (IsAddress(folderOrPattern) ||
+    folderOrPattern.find_first_of("*?[") == std::string::npos ||
     std::filesystem::exists(folderOrPattern, error))
   {
     return { folderOrPattern };

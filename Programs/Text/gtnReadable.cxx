@@ -6,6 +6,8 @@
 #include "gtnFailure.h"
 #include "gtnText.h"
 
+#include "gatunByteSource.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -68,11 +70,27 @@ std::string FindNonNumber(const std::string& file)
   }
   return {};
 }
+
+void CheckAddress(const std::string& address)
+{
+  const std::string extension = ExtensionOf(address);
+  if (extension != ".gtn" && extension != ".ghv")
+  {
+    throw Failure(address,
+      "only files whose names end in .gtn or .ghv are read from web servers; download it first");
+  }
+  gatun::OpenFile(address);
+}
 }
 
 //------------------------------------------------------------------------------
 void CheckReadable(const std::string& file)
 {
+  if (IsAddress(file))
+  {
+    CheckAddress(file);
+    return;
+  }
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   if (status.type() == std::filesystem::file_type::not_found)

@@ -8,7 +8,8 @@
 namespace gtn
 {
 /** Throws Failure unless the file is a regular one that is there, not empty and may be read, or if
- * it is a pointer of Git LFS. Only a .foam file may be empty: it marks the folder of a case. */
+ * it is a pointer of Git LFS. Only a .foam file may be empty: it marks the folder of a case. An
+ * address must be that of a .gtn or .ghv file that a web server has. */
 void CheckReadable(const std::string& file);
 
 /** What is wrong with a file that a reader of VTK refused with a message: the message, with the

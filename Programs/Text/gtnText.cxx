@@ -22,6 +22,11 @@ std::string MakeReason(const std::string& file, const std::string& reason)
   const std::string text = gatun::MakePrintable(reason);
   return text.starts_with(name) ? text : name + text;
 }
+
+std::filesystem::path PathOf(const std::string& name)
+{
+  return IsAddress(name) ? name.substr(0, name.find_first_of("?#")) : name;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -37,28 +42,40 @@ const char* ReasonOf(const std::exception& error) noexcept
 }
 
 //------------------------------------------------------------------------------
-std::string FileOf(const std::string& path)
+std::string LowerOf(std::string text)
 {
-  return std::filesystem::path(path).filename().string();
-}
-
-//------------------------------------------------------------------------------
-std::string StemOf(const std::string& path)
-{
-  return std::filesystem::path(path).replace_extension().string();
-}
-
-//------------------------------------------------------------------------------
-std::string ExtensionOf(const std::string& path)
-{
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension)
+  for (char& c : text)
   {
     if (c >= 'A' && c <= 'Z')
     {
       c = static_cast<char>(c - 'A' + 'a');
     }
   }
-  return extension;
+  return text;
+}
+
+//------------------------------------------------------------------------------
+bool IsAddress(const std::string& name)
+{
+  const std::string start = LowerOf(name.substr(0, 8));
+  return start.starts_with("http://") || start == "https://";
+}
+
+//------------------------------------------------------------------------------
+std::string FileOf(const std::string& path)
+{
+  return PathOf(path).filename().string();
+}
+
+//------------------------------------------------------------------------------
+std::string StemOf(const std::string& path)
+{
+  return PathOf(path).replace_extension().string();
+}
+
+//------------------------------------------------------------------------------
+std::string ExtensionOf(const std::string& path)
+{
+  return LowerOf(PathOf(path).extension().string());
 }
 }

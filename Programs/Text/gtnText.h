@@ -17,6 +17,13 @@ using gatun::GroupDigits;
 using gatun::Join;
 using gatun::MakePrintableLine;
 
+/** A text with the letters of ASCII in lower case. */
+std::string LowerOf(std::string text);
+
+/** Whether a name is that of a file on a web server. What follows below takes such a name without
+ * its query and its fragment, as mesh.gtn?download=1. */
+bool IsAddress(const std::string& name);
+
 /** The part of a path after its last slash. */
 std::string FileOf(const std::string& path);
 

@@ -3,11 +3,8 @@
 
 """Files on web servers: only what is needed is fetched, and each kind of bad server has its message."""
 
-import gzip
-import http.server
 import os
 import pathlib
-import re
 import threading
 import unittest
 
@@ -17,93 +14,9 @@ import gatun  # noqa: E402
 import numpy as np  # noqa: E402
 from gatunCube import find, make_cube, require_equal, require_raises  # noqa: E402
 from gatunGrids import golden_files, require_same_grids  # noqa: E402
+from gatunServer import Server  # noqa: E402
 
 BLOCK = 65536
-
-
-class Handler(http.server.BaseHTTPRequestHandler):
-    """Serves ``server.data`` in the manner of ``server.mode``."""
-
-    protocol_version = "HTTP/1.1"
-
-    def log_message(self, *_):
-        pass
-
-    def send(self, status, headers, body=b""):
-        self.send_response(status)
-        for name, value in headers.items():
-            self.send_header(name, value)
-        self.send_header("Content-Length", str(len(body)))
-        self.send_header("Connection", "close")
-        self.end_headers()
-        try:
-            self.wfile.write(body)
-        except ConnectionError:
-            pass  # who did not want this answer has hung up
-        self.close_connection = True
-
-    def do_GET(self):  # pylint: disable=invalid-name
-        server = self.server
-        server.log.append((self.path, dict(self.headers)))
-        mode, data = server.mode, server.data
-        if self.path == "/old":
-            self.send(302, {"Location": server.target})
-        elif mode in ("404", "403", "503"):
-            self.send(int(mode), {})
-        elif mode == "busy" and len(server.log) < 3:
-            self.send(503, {})
-        elif mode == "ignores ranges":
-            self.send(200, {}, data)
-        elif mode == "compresses":
-            self.send(200, {"Content-Encoding": "gzip"}, gzip.compress(data))
-        else:
-            self.send_range(mode, data)
-
-    def send_range(self, mode, data):
-        first, last = map(int, re.fullmatch(r"bytes=(\d+)-(\d+)", self.headers["Range"]).groups())
-        tag = self.server.tag
-        headers = {"ETag": tag} if tag else {"Last-Modified": self.server.date} if self.server.date else {}
-        condition = self.headers["If-Range"]
-        if condition and condition not in (tag, self.server.date):
-            self.send(200, headers, data)
-            return
-        if first >= len(data):
-            self.send(416, {"Content-Range": f"bytes */{len(data)}"})
-            return
-        body = data[first : last + 1]
-        if mode == "sends less" and first:
-            body = body[: len(body) // 2]
-        shift = 1 if mode == "another part" and first else 0
-        headers["Content-Range"] = f"bytes {first + shift}-{first + len(body) - 1}/{len(data)}"
-        if mode == "no range":
-            del headers["Content-Range"]
-        if mode == "unknown size":
-            headers["Content-Range"] = f"bytes {first}-{first + len(body) - 1}/*"
-        if mode == "compresses parts":
-            headers["Content-Encoding"] = "br"
-        if mode == "breaks off" and first:
-            body = body[: len(body) // 2]
-        self.send(206, headers, body)
-
-
-class Server:
-    """A server on the loopback address, while a block runs."""
-
-    def __init__(self, data, mode="good", tag='"one"', date=None):
-        self.http = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-        self.http.daemon_threads = True
-        self.http.data, self.http.mode, self.http.tag, self.http.date = data, mode, tag, date
-        self.http.target = "/file"
-        self.http.log = []
-        self.url = f"http://127.0.0.1:{self.http.server_address[1]}/file"
-
-    def __enter__(self):
-        threading.Thread(target=self.http.serve_forever, kwargs={"poll_interval": 0.01}, daemon=True).start()
-        return self
-
-    def __exit__(self, *_):
-        self.http.shutdown()
-        self.http.server_close()
 
 
 def write_large():
