@@ -637,8 +637,11 @@ extern "C"
   GATUN_API gatun_status gatun_verify_volume(
     gatun_volume* volume, gatun_progress progress, void* user);
 
-  /** Writes a volume. values: the voxels, x fastest. block_size: 0 is 8. written: may be null; its
-   * errors and file_bytes are set. */
+/** The volume is one block. */
+#define GATUN_ONE_BLOCK UINT32_MAX
+
+  /** Writes a volume. values: the voxels, x fastest. block_size: 2 to 64 voxels along each axis, or
+   * GATUN_ONE_BLOCK; 0 is 8. written: may be null; its errors and file_bytes are set. */
   GATUN_API gatun_status gatun_write_volume(const char* path, const gatun_volume_info* volume,
     const gatun_buffer* values, uint32_t block_size, gatun_rate rate, double rate_value,
     gatun_progress progress, void* user, gatun_volume_info* written);

@@ -463,7 +463,11 @@ def check(status, path=None):
         raise OSError(system_error.value, _shorten(message, system_error.value, path), path)
     if status == NOT_HERE:
         raise NotHere(message, place, length.value)
-    kind = InputError if status == INVALID_INPUT else Error
+    kind = Error
+    if status == INVALID_INPUT:
+        # What is wrong with data does not name the file that they are for.
+        start = "" if path is None else f"{os.fsdecode(path)}: "
+        kind, message = InputError, message if message.startswith(start) else start + message
     raise kind(message, *_CODES.get(status, (20008, "UnknownError")), place)
 
 

@@ -116,7 +116,7 @@ class Arriving(Pieces):
 def write_file(name="library.gtn", **options):
     path = find(name)
     data = {"v": VALUES, "p": POINTS}
-    gatun.write_mesh(path, POINTS, TETS, point_data=data, overwrite=True, chunk_size=2048, **options)
+    gatun.write(gatun.Mesh(POINTS, TETS, data), path, overwrite=True, chunk_size=2048, **options)
     return path
 
 
