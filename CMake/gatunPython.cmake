@@ -44,6 +44,11 @@ function (gatun_add_python_package)
     list(APPEND files "${folder}/${name}")
   endforeach ()
 
+  # ParaView's plugin is beside the package.
+  configure_file("${source}/gatun_paraview.py" "${folder}/../gatun_paraview.py" COPYONLY)
+  install(FILES "${source}/gatun_paraview.py"
+    DESTINATION "${VTK_PYTHONPATH}")
+
   # Other packages find the entry points of the package in its metadata: PyVista reads and saves files with them.
   set(metadata "gatun-${PROJECT_VERSION}.dist-info")
   configure_file("${source}/gatun.dist-info/METADATA.in" "${folder}/../${metadata}/METADATA" @ONLY)

@@ -101,6 +101,7 @@ def list_files(library, version, tag):
     info = f"gatun-{version}.dist-info"
     files = [(f"gatun/{path.name}", path.read_bytes()) for path in sorted(PACKAGE.glob("*.py"))]
     files += [
+        ("gatun_paraview.py", (PACKAGE.parent / "gatun_paraview.py").read_bytes()),
         ("gatun/_build.py", make_build(version).encode()),
         ("gatun/libgatun.so", strip(library)),
         ("gatun/py.typed", b""),
