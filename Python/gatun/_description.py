@@ -81,18 +81,28 @@ def decode_keys(keys, count):
     return tuple(found)
 
 
-def decode_array(array, key):
+def _decode(found, key, is_cell, roles):
     return Array(
-        _c.decode_text(array.name),
+        _c.decode_text(found.name),
         key,
-        bool(array.is_cell),
-        np.dtype(_c.DTYPES[array.type]),
-        array.components,
-        decode_texts(array.component_names, array.components),
-        array.roles,
-        array.vtk_type,
-        decode_keys(array.keys, array.key_count),
+        is_cell,
+        np.dtype(_c.DTYPES.get(found.type, object)),
+        found.components,
+        decode_texts(found.component_names, found.components),
+        roles,
+        found.vtk_type,
+        decode_keys(found.keys, found.key_count),
     )
+
+
+def decode_array(array, key):
+    """An array of the library, with its key."""
+    return _decode(array, key, bool(array.is_cell), array.roles)
+
+
+def decode_field(field):
+    """A field array of the library; one of texts has objects."""
+    return _decode(field, _c.decode_text(field.name), False, 0)
 
 
 def make_key(name, number, taken):

@@ -29,10 +29,14 @@ def _take_texts(field):
     return texts
 
 
+def take_values(field):
+    """The numbers or texts of a field array, of all tuples and components."""
+    return _take_numbers(field) if field.type else _take_texts(field)
+
+
 def _take_field(field):
     """The values of a field array: one for each tuple, or a row."""
-    values = _take_numbers(field) if field.type else _take_texts(field)
-    components = field.components
+    values, components = take_values(field), field.components
     if components <= 1 or len(values) % components:
         return values
     if field.type:
@@ -40,16 +44,22 @@ def _take_field(field):
     return [values[i : i + components] for i in range(0, len(values), components)]
 
 
-def read_fields(handle, step):
-    """The field data of a step by name."""
+def visit_fields(handle, step):
+    """Yields the field arrays of a step, which are valid until the next one."""
     fields, count = ctypes.c_void_p(), ctypes.c_uint32()
     handle.get(library.gatun_get_fields, step, ctypes.byref(fields), ctypes.byref(count))
     try:
-        found = {}
         for i in range(count.value):
             field = _c.Field()
             _c.check(library.gatun_get_field(fields, i, ctypes.byref(field)))
-            found[make_key(_c.decode_text(field.name), i, found)] = _take_field(field)
-        return found
+            yield field
     finally:
         library.gatun_free_fields(fields)
+
+
+def read_fields(handle, step):
+    """The field data of a step by name."""
+    found = {}
+    for i, field in enumerate(visit_fields(handle, step)):
+        found[make_key(_c.decode_text(field.name), i, found)] = _take_field(field)
+    return found

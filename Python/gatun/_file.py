@@ -17,7 +17,7 @@ import numpy as np
 from . import _library as _c
 from ._colors import parse_color
 from ._description import Array, Level, Step, decode_array, make_key
-from ._fields import read_fields
+from ._fields import read_fields, visit_fields
 from ._grid import Grid
 from ._library import library
 from ._piece import make_request, read_piece
@@ -157,6 +157,10 @@ class File:
     def get_field_data(self, step: int = 0) -> dict[str, Any]:
         """The arrays of the whole mesh at a step: numbers, or lists of strings."""
         return read_fields(self._handle, self._find_step(step, None))
+
+    def make_fields(self, make, step=None, time=None):
+        """What a function makes of each field array of the library at a step. It is for this package."""
+        return list(map(make, visit_fields(self._handle, self._find_step(step, time))))
 
     def _get(self, function, kind, number):
         found = kind()
@@ -388,7 +392,7 @@ class File:
             request,
             library.gatun_prepare_contour,
             (ctypes.byref(request.structure), ctypes.byref(contour)),
-            {"normals": normals},
+            {"normals": normals, "surface": True},
             allocate,
             progress,
         )
@@ -424,7 +428,7 @@ class File:
             request,
             library.gatun_prepare_slice,
             (ctypes.byref(request.structure),),
-            {},
+            {"surface": True},
             allocate,
             progress,
         )

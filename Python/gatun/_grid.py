@@ -35,7 +35,7 @@ class Grid:
             piece has ghosts or is one of several.
         normals: of isosurfaces, n x 3; None unless asked for.
         time: of the step, or None.
-        is_surface: whether the file is one of a surface (vtkPolyData).
+        is_surface: whether it is a surface (vtkPolyData): of the file of one, a contour or a slice.
     """
 
     points: np.ndarray

@@ -220,7 +220,7 @@ def read_piece(file, handle, request, prepare, arguments, options, allocate, pro
         request: the Request.
         prepare: the function of the library that makes the piece.
         arguments: of it, between the file and the sizes.
-        options: whether the grid has ``ids``, ``ghosts``, ``normals`` and ``wide_ids``.
+        options: whether the grid has ``ids``, ``ghosts``, ``normals`` and ``wide_ids``, and is a ``surface``.
         allocate, progress: as for ``File.read``.
     """
     call = Call(progress)
@@ -242,5 +242,5 @@ def read_piece(file, handle, request, prepare, arguments, options, allocate, pro
             library.gatun_end(piece)
     grid.field_data = fields
     grid.time = time
-    grid.is_surface = file.is_surface
+    grid.is_surface = options.get("surface", file.is_surface)
     return grid
