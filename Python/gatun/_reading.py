@@ -18,10 +18,17 @@ from ._volume import Volume
 _KINDS = ("vtk", "pyvista", "meshio", "numpy")
 
 
+def _has_vtk():
+    try:
+        return importlib.util.find_spec("vtkmodules") is not None
+    except ModuleNotFoundError:
+        return False
+
+
 def _choose_kind(to):
     """What to make: by default, what VTK has where it is installed."""
     if to is None:
-        return "vtk" if importlib.util.find_spec("vtkmodules") else "numpy"
+        return "vtk" if _has_vtk() else "numpy"
     if to not in _KINDS:
         raise ValueError(f"to: {to!r} is not known; there are {', '.join(map(repr, _KINDS))}")
     return to
