@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Builds the core for other systems, runs it by their emulators and compares what it reads and writes with what
-# this system does: Utilities/setup.sh ports [aarch64|windows|wasm]... calls this with the folder to build in and
-# the names of the systems. All bits must be the same; see Testing/Ports/portHashes.cxx.
+# Builds the core and libgatun for other systems, runs them by their emulators and compares what they read and write
+# with what this system does: Utilities/setup.sh ports [aarch64|windows|wasm]... calls this with the folder to build
+# in and the names of the systems. All bits must be the same; see Testing/Ports/portHashes.cxx and portLibrary.c.
 
 set -euo pipefail
 
@@ -46,8 +46,9 @@ copy_headers() {
 
 # build_programs <system> <cmake argument>...
 build_programs() {
-  local system=$1
+  local system=$1 targets=(portFiles portHashes)
   shift
+  [ "$system" = wasm ] || targets+=(portLibrary portSolver)
   say "Building $build/$system"
   # The output of CMake is of interest only if it fails.
   cmake -G Ninja -S "$root" -B "$build/$system" -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
@@ -55,7 +56,7 @@ build_programs() {
     cat "$build/$system.log" >&2
     exit 1
   }
-  cmake --build "$build/$system" --parallel "$jobs" --target portFiles portHashes
+  cmake --build "$build/$system" --parallel "$jobs" --target "${targets[@]}"
 }
 
 # run <system> <program> <argument>...: in the folder of the system.
@@ -63,17 +64,38 @@ run() {
   local program=$build/$1/bin/$2 command
   case $1 in
     native) command=("$program") ;;
-    aarch64) command=(qemu-aarch64 "$program") ;;
+    aarch64) command=(qemu-aarch64 -L /usr/aarch64-linux-gnu "$program") ;;
     windows) command=(env "WINEPREFIX=$build/wine" WINEDEBUG=-all wine "$program.exe") ;;
     wasm) command=(node --no-experimental-fetch "$program.js") ;;
   esac
   (cd "$build/$1" && "${command[@]}" "${@:3}" | tr -d '\r')
 }
 
-# The numbers are grids that portHashes makes.
+# The numbers are grids that portHashes makes. There is no libgatun for the browser.
 run_hashes() {
+  local files=("$root"/Testing/Data/Golden/*.g[th]*)
   say "Reading and writing files on $1"
-  run "$1" portHashes "$root"/Testing/Data/Golden/*.g[th]* 6 20 >"$build/$1.txt"
+  run "$1" portHashes "${files[@]}" 6 20 >"$build/$1.txt"
+  [ "$1" = wasm ] || run "$1" portLibrary "${files[@]}" >"$build/$1-library.txt"
+}
+
+# A program whose steps another run of it continues.
+run_solver() {
+  say "Running a solver on $1"
+  rm -f "$build/$1/solver.gtn"
+  run "$1" portSolver solver.gtn 3 >"$build/$1-solver.txt"
+  run "$1" portSolver solver.gtn 2 >>"$build/$1-solver.txt"
+}
+
+# Only functions of gatun.h, and nothing needed but what each Windows has.
+check_dll() {
+  local dll=$build/windows/bin/gatun.dll needed exported
+  needed=$(x86_64-w64-mingw32-objdump -p "$dll" | sed -n 's/.*DLL Name: //p' | sort -f | tr '\n' ' ')
+  exported=$(x86_64-w64-mingw32-objdump -p "$dll" | sed -n '/Ordinal\/Name Pointer/,$p' | grep -c '\] ')
+  [ "$(x86_64-w64-mingw32-objdump -p "$dll" | sed -n '/Ordinal\/Name Pointer/,$p' | grep '\] ' |
+    grep -vc '\] gatun_')" = 0 ]
+  say "gatun.dll has $exported functions and needs $needed"
+  [ "$needed" = "KERNEL32.dll msvcrt.dll " ]
 }
 
 mkdir -p "$build"
@@ -81,13 +103,14 @@ get_sources
 copy_headers
 build_programs native
 run_hashes native
+run_solver native
 for system; do
   arguments=(--toolchain "$root/CMake/Toolchains/$system.cmake" "-DCMAKE_FIND_ROOT_PATH=$build/root"
     "-DGATUN_ZSTD_SOURCE=$build/zstd" "-DGATUN_JSONCPP_SOURCE=$build/jsoncpp")
   if [ "$system" = wasm ]; then
     export NODE_PATH=${NODE_PATH:-/usr/share/nodejs} # for a node that is not Debian's
-  else
-    arguments+=(-DCMAKE_EXE_LINKER_FLAGS=-static)
+  elif [ "$system" = windows ]; then
+    arguments+=(-DCMAKE_EXE_LINKER_FLAGS=-static -DCMAKE_SHARED_LINKER_FLAGS=-static)
   fi
   build_programs "$system" "${arguments[@]}"
   # Files of Emscripten are those of its own system, which knows no offsets beyond 4 GiB.
@@ -95,4 +118,11 @@ for system; do
   run_hashes "$system"
   diff "$build/native.txt" "$build/$system.txt"
   say "The same on $system: $(wc -l <"$build/$system.txt") files"
+  if [ "$system" != wasm ]; then
+    run_solver "$system"
+    diff "$build/native-library.txt" "$build/$system-library.txt"
+    diff "$build/native-solver.txt" "$build/$system-solver.txt"
+    say "The same by libgatun on $system: $(wc -l <"$build/$system-library.txt") files"
+  fi
+  [ "$system" != windows ] || check_dll
 done
