@@ -97,7 +97,7 @@ class Steps:
         return self._get(step)
 
 
-class Output:
+class AlgorithmOutput:
     """An output of an algorithm of VTK."""
 
     def __init__(self, source):
@@ -168,6 +168,6 @@ def list_steps(data, times):
         raise ValueError("times: are for a series of meshes; an algorithm has times of its own")
     if not _is_algorithm(data):
         return Steps(None, lambda step: data)
-    output = Output(data)
+    output = AlgorithmOutput(data)
     found = output.get_times() if times else None
     return Steps(found, lambda step: output.get(None if found is None else found[step]), False)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Optional
 import numpy as np
 
 from . import _library as _c
-from ._inputs import Output, is_vtk, name_of
+from ._inputs import AlgorithmOutput, is_vtk, name_of
 from ._library import Call, encode, encode_text, library
 from ._numbers import as_numbers
 from ._piece import to_buffer
@@ -92,7 +92,7 @@ def _take_vtk(image, names):
 def _take(data, names):
     """Data as an Image, and the type of its array in VTK, or 0."""
     if is_vtk(data, "vtkAlgorithm", "vtkAlgorithmOutput"):
-        data = Output(data).get()
+        data = AlgorithmOutput(data).get()
     if is_vtk(data, "vtkImageData"):
         return _take_vtk(data, names)
     if is_vtk(data, "vtkObjectBase") or hasattr(data, "points"):

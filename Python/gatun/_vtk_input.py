@@ -14,7 +14,7 @@ from ._description import Array
 from ._field_input import Fields
 from ._mesh_data import MeshData
 from ._meshes import CellInput
-from ._vtk_find_keys import find_keys
+from ._vtk_keys import find_keys
 from ._warnings import warn
 
 _TETRA = 10

@@ -1,13 +1,19 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Information keys of arrays of VTK, from those of files."""
+"""Information keys of arrays of VTK, from those of files and for them."""
 
+import ctypes
 import itertools
 
 import numpy as np
 from vtkmodules import vtkCommonCore, vtkCommonDataModel
-from vtkmodules.vtkCommonCore import vtkAbstractArray, vtkDataArray, vtkInformationKeyLookup
+from vtkmodules.vtkCommonCore import (
+    vtkAbstractArray,
+    vtkDataArray,
+    vtkInformationIterator,
+    vtkInformationKeyLookup,
+)
 from vtkmodules.vtkCommonDataModel import vtkQuadratureSchemeDefinition
 
 # The class of the keys of each kind of the file format: one value for the first five, then lists.
@@ -118,3 +124,65 @@ def set_keys(array, keys):
         else:
             for value in _convert(values, kind):
                 key.Append(info, value)
+
+
+def _as_value(value):
+    if isinstance(value, bytes):
+        return value.decode("utf-8", "surrogateescape")
+    return "" if value is None else value
+
+
+def _read_doubles(address, count):
+    """Numbers at an address of VTK, such as _0123abcd_p_void."""
+    return list((ctypes.c_double * count).from_address(int(address.split("_")[1], 16))) if count else []
+
+
+def _list_schemes(key, info):
+    """Schemes of integration: the place of each, the type of the cells, the numbers of nodes and of points, and
+    the weights of both."""
+    numbers = []
+    for place in range(key.Size(info)):
+        scheme = key.Get(info, place)
+        if scheme is not None:
+            nodes, points = scheme.GetNumberOfNodes(), scheme.GetNumberOfQuadraturePoints()
+            numbers += [place, scheme.GetCellType(), nodes, points]
+            numbers += _read_doubles(scheme.GetShapeFunctionWeights(), nodes * points)
+            numbers += _read_doubles(scheme.GetQuadratureWeights(), points)
+    return tuple(map(float, numbers))
+
+
+def _read_key(info, key):
+    """The kind and the values of a key; None if a file cannot hold it."""
+    if isinstance(key, getattr(vtkCommonDataModel, _QUADRATURE_CLASS)):
+        return _QUADRATURE, _list_schemes(key, info)
+    for kind, name in _CLASSES.items():
+        if isinstance(key, getattr(vtkCommonCore, name)):
+            if kind <= _LAST_SINGLE:
+                return kind, (_as_value(key.Get(info)),)
+            return kind, tuple(_as_value(key.Get(info, i)) for i in range(key.Length(info)))
+    return None
+
+
+def find_keys(array):
+    """The keys of an array as tuples of location, name, kind and values, and the names of those that a file
+    cannot hold."""
+    found, refused = [], []
+    if not array.HasInformation():
+        return (), refused
+    info = array.GetInformation()
+    iterator = vtkInformationIterator()
+    iterator.SetInformationWeak(info)
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        key = iterator.GetCurrentKey()
+        iterator.GoToNextItem()
+        location, name = _as_value(key.GetLocation()), _as_value(key.GetName())
+        if _is_computed(location, name):
+            continue
+        value = _read_key(info, key) if location and name else None
+        if value is None:
+            refused.append(f"{location}::{name}")
+        else:
+            found.append((location, name, *value))
+    found.sort(key=lambda key: tuple(map(_to_bytes, key[:2])))
+    return tuple(found), refused

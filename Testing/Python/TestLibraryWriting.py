@@ -5,6 +5,7 @@
 
 import os
 import pathlib
+import subprocess
 import sys
 import unittest
 
@@ -353,6 +354,25 @@ class LibraryWriting(unittest.TestCase):
         require_raises(ValueError, "none", gatun.write_parts, path, [], overwrite=True)
         require_raises(gatun.InputError, "whole mesh", gatun.write_parts, path, Parts(), times=times, levels=2,
                        overwrite=True)
+
+    def test_without_vtk(self):
+        program = """if True:
+            import sys
+            sys.modules["vtkmodules"] = None  # which then cannot be imported
+            import gatun, numpy as np
+            points = np.eye(4)[:, :3]
+            mesh = gatun.Mesh(points, np.array([[0, 1, 2, 3]]), {"v": points}, field_data={"title": "one"})
+            gatun.write([mesh, mesh], sys.argv[1], times=[0, 1], overwrite=True, levels=1)
+            gatun.write(np.arange(24).reshape(2, 3, 4), sys.argv[2], overwrite=True, rms_error=0)
+            with gatun.open(sys.argv[1]) as file:
+                assert file.times == [0, 1] and file.read().field_data == {"title": ["one"]}
+                gatun.write(file.read(step=1), sys.argv[1] + ".gtn", overwrite=True)
+        """
+        subprocess.run([sys.executable, "-c", program, find("plain.gtn"), find("plain.ghv")], check=True)
+        with gatun.open(find("plain.gtn.gtn")) as file:
+            self.assertEqual(file.times, [1])
+        with gatun.open(find("plain.ghv")) as volume:
+            np.testing.assert_array_equal(volume.read(), np.arange(24).reshape(2, 3, 4))
 
     def test_targets(self):
         path = find("target.gtn")

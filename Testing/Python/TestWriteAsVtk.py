@@ -246,6 +246,10 @@ class WriteAsVtk(unittest.TestCase):
         named = make(v=v)
         named.GetPointData().GetArray("v").SetComponentName(0, "x")
         self.assertIsNotNone(self.compare([make(v=v), named, make(v=v)], times[:3]))
+        scalars = [make(v=v), make(v=v, w=w)]
+        for mesh, name in zip(scalars, "vw"):
+            mesh.GetPointData().SetActiveScalars(name)
+        self.assertIsNotNone(self.compare(scalars, times[:2], FillMissingArrays=True))
         empty = gatun.from_numpy(POINTS[:0], {})
         self.assertIsNotNone(self.compare([empty, make(v=v, w=w), empty], times[:3]))
 
