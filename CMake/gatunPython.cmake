@@ -16,8 +16,8 @@ function (gatun_add_python_package)
     MODULES             ${arg_MODULES}
     TARGET              GatunPython
     WRAPPED_MODULES     wrapped
-    PYTHON_PACKAGE      gatun
-    MODULE_DESTINATION  "${destination}/vtk${VTK_VERSION}"
+    PYTHON_PACKAGE      gatun.vtk
+    MODULE_DESTINATION  "${destination}/vtk/vtk${VTK_VERSION}"
     LIBRARY_DESTINATION "${arg_LIBRARY_DESTINATION}"
     CMAKE_DESTINATION   "${CMAKE_INSTALL_LIBDIR}/cmake/gatun"
     UTILITY_TARGET      gatunSanitizers
@@ -34,6 +34,7 @@ function (gatun_add_python_package)
   endforeach ()
   list(TRANSFORM names REPLACE "(.+)" "    \"\\1\"," OUTPUT_VARIABLE gatun_python_modules)
   list(JOIN gatun_python_modules "\n" gatun_python_modules)
+  file(RELATIVE_PATH gatun_python_library "/${destination}" "/${CMAKE_INSTALL_LIBDIR}/libgatun.so.0")
   configure_file("${source}/gatun/_build.py.in" "${folder}/_build.py" @ONLY)
   set(files "${folder}/_build.py")
 
@@ -43,6 +44,8 @@ function (gatun_add_python_package)
     configure_file("${file}" "${folder}/${name}" COPYONLY)
     list(APPEND files "${folder}/${name}")
   endforeach ()
+  configure_file("${source}/gatun/vtk/__init__.py" "${folder}/vtk/__init__.py" COPYONLY)
+  set(vtk_files "${folder}/vtk/__init__.py")
 
   # ParaView's plugin is beside the package.
   configure_file("${source}/gatun_paraview.py" "${folder}/../gatun_paraview.py" COPYONLY)
@@ -59,12 +62,12 @@ function (gatun_add_python_package)
   # The stubs are made by loading the modules, which a program with sanitizers or for another machine
   # does not let Python do, nor a ParaView outside the folders of the system.
   if (NOT CMAKE_CROSSCOMPILING AND NOT GATUN_SANITIZE AND gatun_build_vtk)
-    set(stubs "${folder}/__init__.pyi")
+    set(stubs "${folder}/__init__.pyi" "${folder}/vtk/__init__.pyi")
     set(targets)
     set(headers)
     foreach (module IN LISTS wrapped)
       string(REPLACE "VTK::" "" name "${module}")
-      list(APPEND stubs "${folder}/vtk${name}.pyi")
+      list(APPEND stubs "${folder}/vtk/vtk${name}.pyi")
       list(APPEND targets "vtk${name}Python")
     endforeach ()
     foreach (module IN LISTS gatun_module_files)
@@ -77,15 +80,19 @@ function (gatun_add_python_package)
               "PYTHONPATH=${CMAKE_BINARY_DIR}/${VTK_PYTHONPATH}:$ENV{PYTHONPATH}"
               "PYTHONDONTWRITEBYTECODE=1"
               "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/CMake/generate_stubs.py" "${folder}" ${headers}
-      DEPENDS "${PROJECT_SOURCE_DIR}/CMake/generate_stubs.py" ${files} ${targets}
+      DEPENDS "${PROJECT_SOURCE_DIR}/CMake/generate_stubs.py" ${files} ${vtk_files} ${targets}
       COMMENT "Making the type stubs of the package gatun"
       VERBATIM)
     add_custom_target(gatunPythonStubs ALL DEPENDS ${stubs})
-    list(APPEND files ${stubs})
+    list(POP_FRONT stubs package_stub)
+    list(APPEND files "${package_stub}")
+    list(APPEND vtk_files ${stubs})
   endif ()
 
   install(FILES ${files}
     DESTINATION "${destination}")
+  install(FILES ${vtk_files}
+    DESTINATION "${destination}/vtk")
   set(gatun_python_destination "${VTK_PYTHONPATH}" PARENT_SCOPE)
   set(gatun_python_path "${CMAKE_BINARY_DIR}/${VTK_PYTHONPATH}" PARENT_SCOPE)
 endfunction ()

@@ -76,7 +76,7 @@ vtk_module_build(
   TEST_DIRECTORY_NAME NONE)
 
 #--------------------------------------------------------------------------------------------------
-# Python: `from gatun import vtkGatunReader`, from the build tree as well as once installed.
+# Python: `from gatun.vtk import vtkGatunReader`, from the build tree as well as once installed.
 if (GATUN_WRAP_PYTHON)
   include(gatunPython)
   gatun_add_python_package(

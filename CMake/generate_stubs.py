@@ -15,6 +15,7 @@ get it here, from the header. A method without a comment has that of the class i
 """
 
 import ast
+import importlib
 import inspect
 import pathlib
 import re
@@ -22,8 +23,8 @@ import sys
 import textwrap
 
 import gatun
+import gatun.vtk
 from gatun._build import modules
-from gatun._classes import load_module
 
 HEAD = """\
 # Made by generate_stubs.py from the wrapped classes.
@@ -257,9 +258,19 @@ def make_module(module, texts):
 
 def make_package():
     """The text of the stub of the package."""
-    lines = [HEAD, *quote(gatun.__doc__.strip()), "", "__version__: str"]
+    lines = [HEAD, *quote(gatun.__doc__.strip()), "", "from . import vtk as vtk", "__version__: str"]
     for name, module in sorted(gatun._members.items()):
         lines.append(f"from .{module} import {name} as {name}")
+    return "\n".join(lines) + "\n"
+
+
+def load_module(name):
+    return importlib.import_module("gatun.vtk." + name)
+
+
+def make_classes():
+    """The text of the stub of the package of all classes."""
+    lines = [HEAD, *quote(gatun.vtk.__doc__.strip()), ""]
     for name in modules:
         for cls in list_classes(load_module(name)):
             lines.append(f"from .{name} import {cls.__name__} as {cls.__name__}")
@@ -272,7 +283,8 @@ def main():
     for name in modules:
         load_module(name)
     for name in modules:
-        (output / f"{name}.pyi").write_text(make_module(load_module(name), texts))
+        (output / "vtk" / f"{name}.pyi").write_text(make_module(load_module(name), texts))
+    (output / "vtk" / "__init__.pyi").write_text(make_classes())
     (output / "__init__.pyi").write_text(make_package())
 
 

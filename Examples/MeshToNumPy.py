@@ -6,7 +6,7 @@
 import sys
 
 import numpy as np
-from gatun import vtkGatunReader
+from gatun.vtk import vtkGatunReader
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 reader = vtkGatunReader()

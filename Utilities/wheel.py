@@ -79,7 +79,8 @@ def find_version():
 def make_build(version):
     """The module that CMake writes for a package with classes of VTK."""
     text = (PACKAGE / "_build.py.in").read_text(encoding="utf-8")
-    return text.replace("@PROJECT_VERSION@", version).replace("@gatun_python_modules@\n", "")
+    values = {"@PROJECT_VERSION@": version, "@gatun_python_library@": "", "@gatun_python_modules@\n": ""}
+    return re.sub("|".join(values), lambda found: values[found[0]], text)
 
 
 def make_metadata(version):
@@ -99,13 +100,15 @@ def strip(library):
 def list_files(library, version, tag):
     """Pairs of the path in the wheel and the contents."""
     info = f"gatun-{version}.dist-info"
-    files = [(f"gatun/{path.name}", path.read_bytes()) for path in sorted(PACKAGE.glob("*.py"))]
+    sources = sorted([*PACKAGE.glob("*.py"), *PACKAGE.glob("vtk/*.py")])
+    files = [(f"gatun/{path.relative_to(PACKAGE).as_posix()}", path.read_bytes()) for path in sources]
     files += [
         ("gatun_paraview.py", (PACKAGE.parent / "gatun_paraview.py").read_bytes()),
         ("gatun/_build.py", make_build(version).encode()),
         ("gatun/libgatun.so", strip(library)),
         ("gatun/py.typed", b""),
         (f"{info}/METADATA", make_metadata(version).encode()),
+        (f"{info}/entry_points.txt", (ROOT / "Python" / "gatun.dist-info" / "entry_points.txt").read_bytes()),
         (f"{info}/WHEEL", WHEEL.format(tag=tag).encode()),
         (f"{info}/licenses/LICENSE", (ROOT / "LICENSE").read_bytes()),
     ]

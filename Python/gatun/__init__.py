@@ -3,30 +3,26 @@
 
 """Losslessly compressed unstructured meshes, and compressed volumes.
 
-Convenience functions for files and images:
-
     >>> import gatun
     >>> mesh = gatun.read("mesh.gtn")                    # a vtkUnstructuredGrid
+    >>> grid = gatun.read("mesh.gtn", to="numpy")        # NumPy arrays, which need no VTK
+    >>> part = gatun.read("https://example.org/mesh.gtn", box=(0, 1, 0, 1, 0, 1))
     >>> gatun.write(mesh, "copy.gtn", tolerances="rel:1e-3")
     >>> image = gatun.render("mesh.gtn", size=(800, 600))  # an array of 600 x 800 x 4 bytes
 
-These need VTK. Files are read and written as NumPy arrays without it, also from the web:
+An open file tells what it has, and is read in parts:
 
     >>> with gatun.open("mesh.gtn") as file:
     ...     grid = file.read(step=-1, arrays="pressure")
     >>> gatun.write(grid, "copy.gtn")
 
-Every class of VTK can be had from the package, too, as in ``from gatun import vtkGatunReader``. A module of
-classes is only loaded once one of its classes is used. Documentation/python.md is the guide.
+Files are read and written by a library that needs no VTK. The classes of VTK are in ``gatun.vtk``, where the package
+was built for the VTK of this Python. Documentation/python.md is the guide.
 """
 
 import importlib as _importlib
 
-from ._build import modules as _modules
 from ._build import version as __version__
-
-# Modules of VTK classes are found once VTK is asked for.
-_importlib.import_module("._finder", __name__).install(__name__, _modules)
 
 # The public functions and types, and the module of each.
 _members = {
@@ -40,6 +36,7 @@ _members = {
     "NotHere": "_exceptions",
     "Volume": "_volume",
     "Writer": "_write",
+    "contour": "_reading",
     "from_meshio": "_meshio",
     "from_numpy": "_arrays",
     "get_threads": "_threads",
@@ -51,27 +48,22 @@ _members = {
     "render": "_rendering",
     "save_png": "_images",
     "set_threads": "_threads",
-    "steps": "_reading",
+    "slice": "_reading",
+    "steps": "_info",
     "to_meshio": "_meshio",
     "to_numpy": "_arrays",
+    "verify": "_info",
     "write": "_writing",
     "write_parts": "_parts",
 }
 
 
 def __getattr__(name):
-    found = None
-    if name in _members:
-        found = getattr(_load(name), name)
-    elif name in _modules:
-        return _importlib.import_module("." + name, __name__)
-    elif name.startswith("vtk"):
-        if not _modules:
-            raise ImportError(f"this package of gatun has no classes of VTK, as {name}")
-        found = _importlib.import_module("._classes", __name__).find_class(name)
-    if found is None:
+    if name == "vtk":
+        return _importlib.import_module(".vtk", __name__)
+    if name not in _members:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    globals()[name] = found
+    found = globals()[name] = getattr(_load(name), name)
     return found
 
 
@@ -86,8 +78,4 @@ def _load(name):
 
 
 def __dir__():
-    try:
-        classes = _importlib.import_module("._classes", __name__).list_classes()
-    except ImportError:  # without VTK
-        classes = ()
-    return sorted({*globals(), *_members, *classes})
+    return sorted({*globals(), *_members, "vtk"})

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkDataArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkGenericCell, vtkImageData, vtkPolyData, vtkUnstructuredGrid
 
 from ._cells import NAMES, POLYHEDRON, CellType, Mesh, as_points, join_blocks, join_corners, list_blocks
 from ._numbers import fill_masked
@@ -183,18 +183,24 @@ def _get_types(grid):
         return _to_values(grid.GetCellTypesArray(), copy=False)
 
 
+# The types of cells of the lists of vtkPolyData: of those with some numbers of points, and of others.
+_SURFACE_TYPES = (({1: 1}, 2), ({2: 3}, 4), ({3: 5, 4: 9}, 7), ({}, 6))
+
+
 def get_cell_lists(mesh):
     """Pairs of the types of some cells and their vtkCellArray, in the order of the cells."""
     if isinstance(mesh, vtkUnstructuredGrid):
         return [(_get_types(mesh), mesh.GetCells())] if mesh.GetNumberOfCells() else []
-    types = np.fromiter(map(mesh.GetCellType, range(mesh.GetNumberOfCells())), np.uint8)
     lists = []
-    first = 0
-    for cells in (mesh.GetVerts(), mesh.GetLines(), mesh.GetPolys(), mesh.GetStrips()):
-        count = cells.GetNumberOfCells()
-        if count:
-            lists.append((types[first : first + count], cells))
-        first += count
+    there = (mesh.GetVerts(), mesh.GetLines(), mesh.GetPolys(), mesh.GetStrips())
+    for (single, other), cells in zip(_SURFACE_TYPES, there):
+        if cells.GetNumberOfCells():
+            # Not by mesh.GetCellType, which ends the process where cells have no points.
+            sizes = np.diff(_to_values(cells.GetOffsetsArray(), copy=False))
+            types = np.full(len(sizes), other, np.uint8)
+            for size, number in single.items():
+                types[sizes == size] = number
+            lists.append((types, cells))
     return lists
 
 
@@ -215,10 +221,11 @@ def _make_blocks(mesh, copy):
             number, size = keys[kind]
             chosen = np.flatnonzero(kinds.ravel() == kind)
             if len(chosen) == len(types):
-                corners = ids.reshape(-1, size).copy() if copy else ids.reshape(-1, size)
+                corners = ids[offsets[0] : offsets[-1]].reshape(len(types), size)
+                corners = corners.copy() if copy else corners
             else:
                 corners = ids[offsets[chosen][:, None] + np.arange(size)]
-            name = NAMES.get(number) or mesh.GetCell(int(first + chosen[0])).GetClassName()
+            name = NAMES.get(number) or vtkGenericCell.InstantiateCell(int(number)).GetClassName()
             blocks.append((name, corners, first + chosen))
         first += len(types)
     return blocks

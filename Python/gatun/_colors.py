@@ -55,8 +55,19 @@ def _call(colors):
     return [colors(float(x)) for x in np.linspace(0, 1, _NODES)]
 
 
+def _sample(function, size):
+    """Values at which a function of VTK has nodes, those between them included, and the nodes."""
+    nodes = []
+    for i in range(function.GetSize() if hasattr(function, "GetNodeValue") else 0):
+        nodes.append([0.0] * size)
+        function.GetNodeValue(i, nodes[-1])
+    return np.union1d(np.linspace(*function.GetRange(), 4 * _NODES), [node[0] for node in nodes]), nodes
+
+
 def list_colors(colors, low, high):
-    """Rows of value, red, green and blue of colors over a range."""
+    """Rows of value, red, green and blue of colors over a range, which those of VTK have."""
+    if hasattr(colors, "GetColor"):
+        return np.array([[value, *colors.GetColor(value)] for value in _sample(colors, 6)[0]])
     if isinstance(colors, str) or callable(colors):
         colors = _call(colors)
     table = np.asarray(colors, float)
@@ -66,7 +77,12 @@ def list_colors(colors, low, high):
 
 
 def list_opacities(opacity, low, high):
-    """Rows of value and opacity of opacities over a range."""
+    """Rows of value and opacity of opacities over a range, which those of VTK have."""
+    if hasattr(opacity, "GetNodeValue"):
+        values, nodes = _sample(opacity, 4)
+        if all(node[2:] == [0.5, 0.0] for node in nodes):  # midpoint and sharpness of straight lines
+            return np.array([node[:2] for node in nodes])
+        return np.array([[value, opacity.GetValue(value)] for value in values])
     if callable(opacity):
         opacity = [opacity(value) for value in np.linspace(low, high, _NODES)]
     given = np.asarray(opacity, float)

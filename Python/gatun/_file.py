@@ -9,7 +9,7 @@ import ctypes
 import functools
 import json
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,18 +24,12 @@ from ._piece import make_request, read_piece
 from ._pixels import check_type, finish_image
 from ._rays import draw_mesh
 from ._sources import Handle, get_ranges, get_text
-from ._types import Names, Source
+from ._types import Allocate, Names, Progress, Source
 
 if TYPE_CHECKING:
     from numpy.typing import DTypeLike
 
 _FUNCTIONS = (library.gatun_open, library.gatun_open_source, library.gatun_close)
-
-#: A function of the fraction from 0 to 1 that is done, which may return False to stop.
-Progress = Callable[[float], Any]
-
-#: A function that makes an array of a name, type and shape.
-Allocate = Callable[[str, np.dtype, tuple[int, ...]], np.ndarray]
 
 
 class File:
@@ -116,6 +110,16 @@ class File:
         return found
 
     @property
+    def file_name(self) -> str:
+        """The name of the file, for messages."""
+        return self._handle.name
+
+    @property
+    def path(self) -> str | None:
+        """The path of the file, or None if it comes from elsewhere."""
+        return self._handle.path
+
+    @property
     def has_time(self) -> bool:
         """Whether the file has time steps with times."""
         return bool(self._info.has_time)
@@ -150,17 +154,22 @@ class File:
         number = self._find_array(array)
         component = self._find_component(number, component)
         found = (ctypes.c_double * 2)()
-        index = self._find_step(step, None)
+        index = self.find_step(step, None)
         self._handle.get(library.gatun_get_range, number, component, index, found)
         return tuple(found)
 
+    def find_range(self, array: str | int, component: int | None = None) -> tuple[float, float]:
+        """The smallest and largest value of an array over all steps, as ``get_range`` tells them."""
+        ranges = [self.get_range(array, component, step) for step in range(max(len(self.times), 1))]
+        return min(low for low, _ in ranges), max(high for _, high in ranges)
+
     def get_field_data(self, step: int = 0) -> dict[str, Any]:
         """The arrays of the whole mesh at a step: numbers, or lists of strings."""
-        return read_fields(self._handle, self._find_step(step, None))
+        return read_fields(self._handle, self.find_step(step, None))
 
     def make_fields(self, make, step=None, time=None):
         """What a function makes of each field array of the library at a step. It is for this package."""
-        return list(map(make, visit_fields(self._handle, self._find_step(step, time))))
+        return list(map(make, visit_fields(self._handle, self.find_step(step, time))))
 
     def _get(self, function, kind, number):
         found = kind()
@@ -172,18 +181,19 @@ class File:
 
     # Parameters
 
-    def _find_step(self, step, time):
-        """The number of a step, from its number or time."""
+    def find_step(self, step, time):
+        """The number of a step from 0, from the step or time of ``read``."""
         if step is not None and time is not None:
             raise ValueError("step and time exclude each other")
         if time is not None:
             if not self.times or math.isnan(time):
-                raise ValueError("time: is not a number" if self.times else "the file has no time steps")
+                raise ValueError("time: is not a number" if self.times else f"{self.file_name}: has no time steps")
             return max(int(np.searchsorted(self.times, time, "right")) - 1, 0)
         count = max(self._info.steps, 1)
         index = 0 if step is None else int(step)
         if not -count <= index < count:
-            raise ValueError(f"the file has no step {step}; they are numbered 0 to {count - 1}")
+            there = f"step {step}; they are numbered 0 to {count - 1}" if self.has_time else "time steps"
+            raise ValueError(f"{self.file_name}: has no {there}")
         return index % count
 
     def _find_arrays(self, arrays):
@@ -201,12 +211,12 @@ class File:
         """The numbers of all arrays of a name or key."""
         if not isinstance(name, str):
             if not 0 <= name < len(self.arrays):
-                raise ValueError(f"the file has no array {name}; there are {len(self.arrays)}")
+                raise ValueError(f"{self.file_name}: has no array {name}; there are {len(self.arrays)}")
             return [int(name)]
         found = [i for i, array in enumerate(self.arrays) if name in (array.name, array.key)]
         if not found:
             there = ", ".join(repr(array.key) for array in self.arrays) or "none"
-            raise ValueError(f"the file has no array {name!r}; there are {there}")
+            raise ValueError(f"{self.file_name}: has no array {name!r}; there are {there}")
         return found
 
     def _find_array(self, array):
@@ -227,7 +237,7 @@ class File:
 
     def _make_request(self, options):
         options = dict(options)
-        number = self._find_step(options.pop("step"), options.pop("time"))
+        number = self.find_step(options.pop("step"), options.pop("time"))
         arrays = self._find_arrays(options.pop("arrays"))
         values = options.pop("values", None)
         if values is not None:
@@ -457,6 +467,7 @@ class File:
         direction: Sequence[float] | None = None,
         up: Sequence[float] | None = None,
         parallel: bool = False,
+        camera: Any = None,
         dtype: DTypeLike = np.uint8,
         progress: Progress | None = None,
     ) -> np.ndarray:
@@ -468,10 +479,11 @@ class File:
             component: of the array, from 0; -1 for the length of the tuples, the default.
             step, time, ratio, level, progress: as for ``read``.
             colors: the name of a color map of Matplotlib or a function like it, or a list of colors,
-                spread over ``range``. Default: one from dark to light.
+                spread over ``range``; or a vtkColorTransferFunction. Default: one from dark to light.
             opacity: a factor for the default opacities; opacities from 0 to 1, spread over ``range``;
-                pairs of values and opacities; or a function of the value. By default, values that fill
-                most of the volume are nearly transparent, and rare ones are opaque.
+                pairs of values and opacities; a function of the value; or a vtkPiecewiseFunction. By
+                default, values that fill most of the volume are nearly transparent, and rare ones are
+                opaque.
             range: smallest and largest value of ``colors`` and ``opacity``. Default: those of the array
                 over all time steps.
             unit_distance: the length that opacities refer to, in units of the coordinates. Default: 1/100
@@ -485,6 +497,7 @@ class File:
             zoom: magnification; with 1, everything just fits into the image.
             direction, up: a direction to look along in place of the angles, and one that points up.
             parallel: whether the projection is parallel.
+            camera: a vtkCamera in place of all of this.
             dtype: ``numpy.uint8``, or ``numpy.float32`` for values from 0 to 1.
 
         Returns:
@@ -495,11 +508,11 @@ class File:
         color = None if background is None else parse_color(background)
         number = self._find_array(self._choose_array() if array is None else array)
         chosen = self._find_component(number, component)
-        index = self._find_step(step, time)
+        index = self.find_step(step, time)
         part = {"step": index, "time": None, "arrays": [number], "ratio": ratio, "level": level}
         self._fetch(self._make_request(part))
         view = {"azimuth": azimuth, "elevation": elevation, "roll": roll, "zoom": zoom}
-        view.update(direction=direction, up=up, parallel=parallel)
+        view.update(direction=direction, up=up, parallel=parallel, camera=camera)
         transfer = {"colors": colors, "opacity": opacity, "range": range, "blend": blend}
         transfer.update(unit_distance=unit_distance, shade=shade)
         pixels = draw_mesh(
@@ -512,7 +525,7 @@ class File:
         found = [i for i, array in enumerate(self.arrays) if array.roles & 1]
         found += [i for i, array in enumerate(self.arrays) if not array.name.startswith("vtk")]
         if not found or self._info.steps == 0:
-            raise ValueError("the file has no array to draw")
+            raise ValueError(f"{self.file_name}: has no array to draw")
         return found[0]
 
     def verify(self, progress: Progress | None = None) -> None:

@@ -10,7 +10,7 @@ from typing import Any, Optional
 
 import numpy as np
 
-from ._cells import NAMES, POLYHEDRON
+from ._cells import NAMES, POLYHEDRON, Mesh
 
 
 @dataclasses.dataclass
@@ -73,3 +73,14 @@ class Grid:
             number = int(self.types[start])
             blocks.append((NAMES.get(number, number), corners.reshape(end - start, sizes[start])))
         return blocks
+
+    def to_mesh(self) -> Mesh:
+        """The same as a ``gatun.Mesh``, which shares its arrays.
+
+        Raises:
+            ValueError: there are polyhedra.
+        """
+        blocks = self.cells
+        ends = np.cumsum([len(corners) for _, corners in blocks])[:-1]
+        cell_data = {name: np.split(values, ends) if blocks else [] for name, values in self.cell_data.items()}
+        return Mesh(self.points, blocks, dict(self.point_data), cell_data, dict(self.field_data))

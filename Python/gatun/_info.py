@@ -5,22 +5,20 @@
 
 from __future__ import annotations
 
-import json
 from typing import Any
 
-from ._classes import get_class
-from ._errors import raising
-from ._reading import open_reader
-from ._types import Path
+from ._open import opened
+from ._types import Progress, Source
+from ._volume import Volume
 
 
-def info(path: Path) -> dict[str, Any]:
+def info(source: Source) -> dict[str, Any]:
     """Describes a .gtn or .ghv file: what ``gtn info --json`` or ``gtn volume info --json`` prints.
 
     Of the file, only the directory is read.
 
     Args:
-        path: the file.
+        source: as for ``read``.
 
     Returns:
         A dictionary with, among others, ``"points"``, ``"cells"``, ``"bounds"``, ``"times"``,
@@ -30,9 +28,34 @@ def info(path: Path) -> dict[str, Any]:
         OSError: the file cannot be opened.
         Error: the file is damaged, or no file of Gatun.
     """
-    reader = open_reader(path)
-    description = get_class("vtkGatunFileDescription")()
-    description.SetFileName(reader.GetFileName())
-    with raising(description):
-        text = description.ReadJSON()
-    return json.loads(text)
+    with opened(source) as file:
+        return file.info
+
+
+def steps(source: Source) -> list[float]:
+    """Returns the times of the time steps of a file as a list, empty for a file without time.
+
+    Args:
+        source: as for ``read``.
+
+    Raises:
+        OSError: the file cannot be opened.
+        Error: the file is damaged, or no file of Gatun.
+    """
+    with opened(source) as file:
+        return [] if isinstance(file, Volume) else file.times
+
+
+def verify(source: Source, *, progress: Progress | None = None) -> None:
+    """Checks all checksums of a file, and decodes everything.
+
+    Args:
+        source: as for ``read``.
+        progress: a function of the fraction that is done; it may return False to stop.
+
+    Raises:
+        OSError: the file cannot be opened.
+        Error: the file is damaged, or no file of Gatun.
+    """
+    with opened(source) as file:
+        file.verify(progress)

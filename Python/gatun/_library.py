@@ -10,6 +10,7 @@ import errno
 import os
 import sys
 
+from ._build import library as _INSTALLED
 from ._exceptions import Error, InputError, NotHere
 
 _API_VERSION = 1
@@ -391,11 +392,12 @@ def _list_candidates():
         "cygwin": ("gatun.dll", "gatun.dll"),
         "darwin": ("libgatun.dylib", "libgatun.0.dylib"),
     }.get(sys.platform, ("libgatun.so", "libgatun.so.0"))
-    beside = os.path.join(os.path.dirname(os.path.abspath(__file__)), name)
+    folder = os.path.dirname(os.path.abspath(__file__))
+    beside, installed = os.path.join(folder, name), os.path.normpath(os.path.join(folder, _INSTALLED))
     if os.path.exists(beside):
         return [beside]
     given = os.environ.get("GATUN_LIBRARY")
-    return [given] if given else [system]
+    return [given or (installed if _INSTALLED and os.path.exists(installed) else system)]
 
 
 def _load():

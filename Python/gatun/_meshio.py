@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ._grid import Grid
 from ._warnings import warn
 
 if TYPE_CHECKING:
@@ -91,8 +92,8 @@ def list_arrays(mesh):
     return point_data, cell_data, field_data
 
 
-def to_meshio(mesh: vtkUnstructuredGrid | vtkPolyData) -> Any:
-    """Returns a vtkUnstructuredGrid or vtkPolyData as a ``meshio.Mesh``, with the sets of ``from_meshio``.
+def to_meshio(mesh: Grid | vtkUnstructuredGrid | vtkPolyData) -> Any:
+    """Returns a ``gatun.Grid``, vtkUnstructuredGrid or vtkPolyData as a ``meshio.Mesh``, with the sets of ``from_meshio``.
 
     Raises:
         ImportError: meshio is not installed.
@@ -100,9 +101,12 @@ def to_meshio(mesh: vtkUnstructuredGrid | vtkPolyData) -> Any:
     """
     import meshio  # an optional package
 
-    from ._arrays import to_numpy
+    if isinstance(mesh, Grid):
+        arrays = mesh.to_mesh()
+    else:
+        from ._arrays import to_numpy
 
-    arrays = to_numpy(mesh)
+        arrays = to_numpy(mesh)
 
     def take_sets(list_name, values, find):
         names = arrays.field_data.get(list_name, [])

@@ -79,6 +79,8 @@ def make_request(
     to.piece = _check_number("piece", piece, 0, pieces - 1)
     to.ghost_levels = _check_number("ghost_levels", ghost_levels, 0, 0xFFFF)
     to.level = _check_number("level", level, 0, 0xFFFFFFFF)
+    if isinstance(ratio, str):
+        raise TypeError(f"ratio: {ratio!r} is no number")
     to.ratio = float(ratio)
     if not 0 <= to.ratio <= 1:
         raise ValueError(f"ratio: {ratio!r} is not from 0 to 1")
@@ -117,7 +119,7 @@ def make_array(shape, dtype):
         raise MemoryError(f"no memory for an array of shape {shape} ({error})") from None
 
 
-class _Target:
+class Target:
     """New arrays, and their buffers for the library."""
 
     def __init__(self, allocate):
@@ -233,7 +235,7 @@ def read_piece(file, handle, request, prepare, arguments, options, allocate, pro
             prepare(pointer, *arguments, ctypes.byref(sizes), *call.arguments, ctypes.byref(piece)), call
         )
         try:
-            target = _Target(allocate)
+            target = Target(allocate)
             grid = _make_grid(file, request, sizes, target, options)
             handle.check(
                 library.gatun_read(piece, ctypes.byref(target.buffers), *call.arguments), call

@@ -41,3 +41,18 @@ def finish_image(pixels, background, dtype):
         opacity = np.ones_like(opacity)
     image = np.clip(np.concatenate([colors, opacity], axis=-1), 0, 1).astype(np.float32)
     return to_bytes(image) if dtype == np.uint8 else image
+
+
+def require_solid(name, counts):
+    """Raises ValueError for a mesh without 3D cells, in which rays meet nothing.
+
+    Args:
+        name: of the mesh.
+        counts: the numbers of cells by name and dimension of their type.
+    """
+    if counts and all(dimension < 3 for _, dimension in counts):
+        there = ", ".join(f"{count} {cell}" for (cell, _), count in counts.items())
+        raise ValueError(
+            f"{name}: has no 3D cells, only {there}; vtkGeometryFilter makes a surface of 2D cells, "
+            "which can be drawn"
+        )

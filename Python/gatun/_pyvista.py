@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import os
 from typing import Any
 
 from ._reading import read as _read
@@ -13,13 +12,8 @@ from ._writing import write as _write
 
 
 def read(path: str, **options: Any) -> Any:
-    """Reads a file for ``pyvista.read``. The options are those of ``gatun.read``."""
-    import pyvista
-
-    path = os.fsdecode(path)
-    if "://" in path:
-        raise pyvista.LocalFileRequiredError  # PyVista downloads the file then
-    return pyvista.wrap(_read(path, **options))
+    """Reads a file, also from its address, for ``pyvista.read``. The options are those of ``gatun.read``."""
+    return _read(path, to="pyvista", **options)
 
 
 def write(mesh: Any, path: str, **options: Any) -> None:

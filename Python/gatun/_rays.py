@@ -18,14 +18,14 @@ from ._views import find_view, roll_up
 _MODES = {"composite": 0, "mip": 2, "xray": 3}
 
 
-def _find_range(file, number, component, steps):
-    """The values of an array over several steps."""
-    ranges = [file.get_range(number, component, step) for step in steps]
-    low, high = min(low for low, _ in ranges), max(high for _, high in ranges)
-    return check_range((low, high), f"array {file.arrays[number].key!r}")
-
-
-def _set_camera(image, *, azimuth, elevation, roll, zoom, direction, up, parallel):
+def _set_camera(image, *, azimuth, elevation, roll, zoom, direction, up, parallel, camera):
+    if camera is not None:
+        image.position[:] = camera.GetPosition()
+        image.focal_point[:] = camera.GetFocalPoint()
+        image.view_up[:] = camera.GetViewUp()
+        image.view_angle = camera.GetViewAngle()
+        image.parallel_scale = camera.GetParallelScale() if camera.GetParallelProjection() else 0.0
+        return
     eye, up = find_view(azimuth, elevation, zoom, direction, up)
     image.direction[:] = [-x for x in eye]
     image.view_up[:] = roll_up(eye, up, roll)
@@ -87,7 +87,7 @@ def draw_mesh(file, handle, size, what, view, transfer, progress):
     if colors is not None or opacity is not None:
         values = transfer["range"]
         if values is None:
-            values = _find_range(file, number, component, range(max(len(file.times), 1)))
+            values = check_range(file.find_range(number, component), f"array {file.arrays[number].key!r}")
         values = widen(*check_range(values, "range"))
         if colors is not None:
             kept.append(_set_rows(image, "color", list_colors(colors, *values)))

@@ -1,158 +1,102 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Reading of files."""
+"""Reading of files into meshes of VTK, PyVista, meshio or NumPy."""
 
 from __future__ import annotations
 
-import itertools
-import math
-import os
-from collections.abc import Sequence
+import importlib.util
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
 
-from vtkmodules.vtkCommonDataModel import (
-    vtkDataObject,
-    vtkImageData,
-    vtkPolyData,
-    vtkUnstructuredGrid,
-)
-from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
-from vtkmodules.vtkCommonMisc import vtkErrorCode
+from ._file import File
+from ._grid import Grid
+from ._open import opened
+from ._types import Names, Progress, Source
+from ._volume import Volume
 
-from ._classes import get_class
-from ._errors import raising, set_property
-from ._exceptions import Error
-from ._numbers import check_box
-from ._types import Names, Path, list_names
+_KINDS = ("vtk", "pyvista", "meshio", "numpy")
 
 
-def open_reader(path):
-    """Returns the reader of a file, by its contents.
-
-    Raises:
-        OSError: the file cannot be opened, as FileNotFoundError.
-        Error: it is neither a .gtn file nor a .ghv file.
-    """
-    path = os.fsdecode(path)
-    with open(path, "rb"):
-        pass
-    for name in ("vtkGatunReader", "vtkGatunSurfaceReader", "vtkGatunHartleyReader"):
-        reader = get_class(name)()
-        if reader.CanReadFile(path):
-            reader.SetFileName(path)
-            with raising(reader):
-                reader.UpdateInformation()
-            return reader
-    raise Error(
-        f"{path}: is neither a .gtn nor a .ghv file", vtkErrorCode.UnrecognizedFileTypeError
-    )
+def _has_vtk():
+    try:
+        return importlib.util.find_spec("vtkmodules") is not None
+    except ModuleNotFoundError:
+        return False
 
 
-def is_volume(reader):
-    """Whether a reader is one of .ghv files."""
-    return isinstance(reader, get_class("vtkGatunHartleyReader"))
+def _choose_kind(to):
+    """What to make: by default, what VTK has where it is installed."""
+    if to is None:
+        return "vtk" if _has_vtk() else "numpy"
+    if to not in _KINDS:
+        raise ValueError(f"to: {to!r} is not known; there are {', '.join(map(repr, _KINDS))}")
+    return to
 
 
-def get_times(reader):
-    """Returns the times of the steps of a file as a list, empty without time."""
-    key = vtkStreamingDemandDrivenPipeline.TIME_STEPS()
-    info = reader.GetOutputInformation(0)
-    return [info.Get(key, i) for i in range(info.Length(key))] if info.Has(key) else []
+def _load(to):
+    """The module that makes meshes and volumes of VTK."""
+    try:
+        from . import _vtk_mesh, _vtk_volume
+    except ModuleNotFoundError as error:
+        if (error.name or "").partition(".")[0] != "vtkmodules":
+            raise
+        raise ImportError(f"to: {to!r} needs VTK for Python, which is not installed ({error})") from None
+    return _vtk_mesh, _vtk_volume
 
 
-def choose_time(reader, step, time):
-    """Returns the time to request, or None if the file has none."""
-    path = reader.GetFileName()
-    times = get_times(reader)
-    if step is not None and time is not None:
-        raise ValueError("step and time exclude each other")
-    if time is not None:
-        if math.isnan(time) or not times:
-            raise ValueError(f"{path}: has no time steps" if not times else "time: is not a number")
-        return float(time)
-    if not times:
-        if step not in (None, 0, -1):
-            raise ValueError(f"{path}: has no time steps")
-        return None
-    index = 0 if step is None else step
-    if not -len(times) <= index < len(times):
-        raise ValueError(f"{path}: has no step {step}; they are numbered 0 to {len(times) - 1}")
-    return times[index]
+def _wrap(mesh, to):
+    if to == "vtk":
+        return mesh
+    import pyvista
+
+    return pyvista.wrap(mesh)
 
 
-def _choose_arrays(reader, arrays):
-    """Selects arrays of a mesh by name."""
-    if arrays is None:
-        return
-    wanted = list_names(arrays)
-    selections = (reader.GetPointDataArraySelection(), reader.GetCellDataArraySelection())
-    known = [
-        selection.GetArrayName(i)
-        for selection in selections
-        for i in range(selection.GetNumberOfArrays())
-    ]
-    for name in wanted:
-        if name not in known:
-            there = ", ".join(map(repr, known)) or "none"
-            raise ValueError(f"{reader.GetFileName()}: has no array {name!r}; there are {there}")
-    for selection in selections:
-        selection.DisableAllArrays()
-        for name in wanted:
-            if selection.ArrayExists(name):
-                selection.EnableArray(name)
+def _make_mesh(file: File, to: str, method: Callable[..., Grid], *arguments: Any, **options: Any) -> Any:
+    if to in ("vtk", "pyvista"):
+        return _wrap(_load(to)[0].make_mesh(file, method, *arguments, **options), to)
+    grid = method(*arguments, **options)
+    if to == "numpy":
+        return grid
+    from ._meshio import to_meshio
+
+    return to_meshio(grid)
 
 
-def _find_extent(info, box):
-    """The voxels of a volume that a box in world coordinates touches."""
-    grid = vtkImageData()
-    whole = info.Get(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT())
-    grid.SetExtent(whole)
-    grid.SetOrigin(info.Get(vtkDataObject.ORIGIN()))
-    grid.SetSpacing(info.Get(vtkDataObject.SPACING()))
-    if info.Has(vtkDataObject.DIRECTION()):
-        grid.SetDirectionMatrix(info.Get(vtkDataObject.DIRECTION()))
-    corners = []
-    for corner in itertools.product(box[:2], box[2:4], box[4:]):
-        index = [0.0] * 3
-        grid.TransformPhysicalPointToContinuousIndex(corner, index)
-        corners.append(index)
-    extent = []
-    for axis, values in enumerate(zip(*corners)):
-        low = max(min(values), whole[2 * axis])
-        high = min(max(values), whole[2 * axis + 1])
-        if not low <= high:
-            raise ValueError(f"box: {box} has no voxels")
-        extent += [math.floor(low), math.ceil(high)]
-    return extent
-
-
-def _read_volume(reader, options):
-    for name in ("arrays", "step", "time", "ratio"):
-        if options[name] not in (None, 0):
-            raise ValueError(f"{name}: is for meshes, and {reader.GetFileName()} is a volume")
-    with raising(reader):
-        if options["box"] is None:
-            reader.Update()
-        else:
-            info = reader.GetOutputInformation(0)
-            reader.UpdateExtent(_find_extent(info, check_box(options["box"])))
-    return reader.GetOutput()
+def _make_volume(volume: Volume, to: str, options: dict[str, Any]) -> Any:
+    box, progress = options.pop("box"), options.pop("progress")
+    given = {name: value for name, value in options.items() if value not in (None, 0)}
+    if given:
+        raise ValueError(f"{next(iter(given))}: is for meshes, and {volume.file_name} is a volume")
+    if to == "meshio":
+        raise ValueError(f"to: {to!r} is for meshes, and {volume.file_name} is a volume")
+    first, end = volume.find_box(box) if box is not None else (None, None)
+    if to == "numpy":
+        return volume.read(first, end, progress=progress)
+    return _wrap(_load(to)[1].read_volume(volume, first, end, progress), to)
 
 
 def read(
-    path: Path,
+    source: Source,
     *,
-    arrays: Names | None = None,
+    to: str | None = None,
+    arrays: Names | Iterable[int] | None = None,
     step: int | None = None,
     time: float | None = None,
     box: Sequence[float] | None = None,
     ratio: float = 0.0,
     restore_order: bool = True,
-) -> vtkUnstructuredGrid | vtkPolyData | vtkImageData:
+    progress: Progress | None = None,
+    **options: Any,
+) -> Any:
     """Reads a .gtn or .ghv file into memory.
 
     Args:
-        path: the file. Its contents tell what it is, not its name.
+        source: what ``gatun.open`` takes, such as a path or an address, or what it has returned. The contents
+            tell what a file is, not its name.
+        to: what to make: ``"vtk"``, ``"pyvista"``, ``"meshio"`` or ``"numpy"``. Default: what VTK has where it is
+            installed, or else ``"numpy"``.
         arrays: names of the point and cell arrays to read, or one name; None for all. Other arrays
             are not read from the file.
         step: index of the time step, from 0; negative ones count from the end. Default: the first.
@@ -163,39 +107,77 @@ def read(
             ``write``).
         restore_order: whether points and cells come in the order of the mesh that was written, as
             far as the file keeps it.
+        progress: a function of the fraction that is done; it may return False to stop.
+        options: others of ``gatun.File.read``: ``values``, ``exact``, ``level``, ``boundary``, ``tetrahedra``,
+            ``piece``, ``pieces``, ``ghost_levels``, ``ids`` and ``wide_ids``.
 
     Returns:
-        A vtkUnstructuredGrid, a vtkPolyData for the file of a surface, or a vtkImageData for a
-        .ghv file.
+        Of a mesh, a vtkUnstructuredGrid, or a vtkPolyData for the file of a surface; a ``gatun.Grid``
+        for ``"numpy"``. Of a .ghv file, a vtkImageData, or an array ``values[z, y, x]``.
 
     Raises:
         OSError: the file cannot be opened, as FileNotFoundError or PermissionError.
         ValueError: a parameter that does not fit, as an array or a step that the file does not have.
         Error: the file is damaged, or no file of Gatun.
     """
-    reader = open_reader(path)
-    if is_volume(reader):
-        options = {"arrays": arrays, "step": step, "time": time, "box": box, "ratio": ratio}
-        return _read_volume(reader, options)
-    _choose_arrays(reader, arrays)
-    moment = choose_time(reader, step, time)
-    if box is not None:
-        reader.SetBox(check_box(box))
-    set_property(reader, "ratio", "SimplificationRatio", ratio)
-    reader.SetRestoreOrder(bool(restore_order))
-    with raising(reader):
-        if moment is None:
-            reader.Update()
-        else:
-            reader.UpdateTimeStep(moment)
-    return reader.GetOutput()
+    options.update(arrays=arrays, step=step, time=time, box=box, ratio=ratio, progress=progress)
+    to = _choose_kind(to)
+    with opened(source) as file:
+        if isinstance(file, Volume):
+            return _make_volume(file, to, options)
+        return _make_mesh(file, to, file.read, restore_order=restore_order, **options)
 
 
-def steps(path: Path) -> list[float]:
-    """Returns the times of the time steps of a file as a list, empty for a file without time.
+def contour(
+    source: Source,
+    array: str | int,
+    values: float | Sequence[float],
+    *,
+    to: str | None = None,
+    component: int | None = None,
+    normals: bool = False,
+    **options: Any,
+) -> Any:
+    """Makes isosurfaces of the mesh in a file. Only chunks that have the values are decoded.
 
-    Raises:
-        OSError: the file cannot be opened.
-        Error: the file is damaged, or no file of Gatun.
+    Args:
+        source: as for ``read``.
+        array: name or number of a point array.
+        values: one or several isovalues.
+        to: as for ``read``.
+        component: of the array, from 0; -1 for the length of the tuples, the default.
+        normals: whether the normals of the surface are computed.
+        options: others of ``gatun.File.contour``: ``step``, ``time``, ``arrays``, ``piece``, ``pieces``, ``ratio``,
+            ``level`` and ``progress``.
+
+    Returns:
+        A vtkPolyData of triangles, or what ``to`` says.
     """
-    return get_times(open_reader(path))
+    with opened(source, File) as file:
+        options.update(component=component, normals=normals)
+        return _make_mesh(file, _choose_kind(to), file.contour, array, values, **options)
+
+
+def slice(  # pylint: disable=redefined-builtin
+    source: Source,
+    origin: Sequence[float],
+    normal: Sequence[float],
+    *,
+    to: str | None = None,
+    **options: Any,
+) -> Any:
+    """Makes the section of the mesh in a file with a plane. Only chunks at the plane are decoded.
+
+    Args:
+        source: as for ``read``.
+        origin: a point of the plane.
+        normal: the direction across it.
+        to: as for ``read``.
+        options: others of ``gatun.File.slice``: ``step``, ``time``, ``arrays``, ``piece``, ``pieces``, ``ratio``,
+            ``level`` and ``progress``.
+
+    Returns:
+        A vtkPolyData of triangles, or what ``to`` says.
+    """
+    with opened(source, File) as file:
+        return _make_mesh(file, _choose_kind(to), file.slice, origin, normal, **options)

@@ -1,22 +1,20 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""What an image shows: files and data of VTK, with their bounds and the array to draw."""
+"""What an image of VTK shows: data in memory, or files, with their bounds and the array to draw."""
 
 import math
-import os
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkGenericCell, vtkImageData, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
 from ._arrays import get_cell_lists
 from ._classes import get_class
 from ._errors import raising
-from ._info import info as _info
-from ._reading import choose_time, is_volume, open_reader
+from ._pixels import require_solid
 from ._scene_input import Input
+from ._volume import Volume
 
 _POINTS, _CELLS = 0, 1
 
@@ -33,20 +31,10 @@ class Scene:
         time: to request, or None.
     """
 
-    def __init__(self, source, step, time, array, component):
+    def __init__(self, source, array, component):
         self.time = None
-        self._table = None
-        if isinstance(source, (str, bytes, os.PathLike)):
-            self._open(source, step, time)
-        else:
-            if step is not None or time is not None:
-                raise ValueError("step and time are for files")
-            self._take(source)
-        self.kind = next(
-            kind
-            for kind in (vtkUnstructuredGrid, vtkPolyData, vtkImageData)
-            if isinstance(self._data, kind)
-        )
+        self.algorithm = None
+        self._open(source)
         self.bounds = self._find_bounds()
         if self.kind is vtkUnstructuredGrid:
             self._check_dimension()
@@ -54,28 +42,7 @@ class Scene:
         self.component = self._choose_component(component)
         self.values = self._find_values()
 
-    # A file stays where it is: VTK is given its outline.
-    def _open(self, path, step, time):
-        self.name = os.fsdecode(path)
-        self.algorithm = reader = open_reader(path)
-        self._input = Input(reader)
-        if is_volume(reader):
-            if step not in (None, 0, -1) or time is not None:
-                raise ValueError(f"{self.name}: has no time steps")
-            self._data = reader.GetOutputDataObject(0)
-            return
-        self.time = choose_time(reader, step, time)
-        reader.SetLargeMesh(0)
-        with raising(reader):
-            if self.time is None:
-                reader.Update()
-            else:
-                reader.UpdateTimeStep(self.time)
-            self._table = reader.GetChunkTable()
-        self._data = reader.GetOutput()
-
-    def _take(self, source):
-        self.algorithm = None
+    def _open(self, source):
         self._input = Input(source)
         self._data = self._input.data
         if self._input.algorithms or isinstance(source, (vtkAlgorithm, vtkAlgorithmOutput)):
@@ -85,7 +52,9 @@ class Scene:
                 producer.Update(port.GetIndex())
             self._data = producer.GetOutputDataObject(port.GetIndex())
         self.name = self._data.GetClassName()
-        if not isinstance(self._data, (vtkUnstructuredGrid, vtkPolyData, vtkImageData)):
+        kinds = (vtkUnstructuredGrid, vtkPolyData, vtkImageData)
+        self.kind = next((kind for kind in kinds if isinstance(self._data, kind)), None)
+        if self.kind is None:
             raise TypeError(f"a {self.name} cannot be drawn")
 
     def connect(self, algorithm):
@@ -120,15 +89,6 @@ class Scene:
         return math.dist(self.bounds[::2], self.bounds[1::2]) or 1.0
 
     def _find_bounds(self):
-        if self._table is not None:
-            boxes = vtk_to_numpy(self._table.GetColumnByName("Bounds"))
-            filled = boxes[boxes[:, 0] <= boxes[:, 1]]
-            if not len(filled):
-                raise ValueError(f"{self.name}: has no cells to draw")
-            low, high = filled.min(axis=0), filled.max(axis=0)
-            return [float((low, high)[i % 2][i]) for i in range(6)]
-        if self.algorithm:
-            return self._find_volume_bounds()
         if self._data.GetNumberOfCells() == 0:
             raise ValueError(f"{self.name}: has no cells to draw")
         bounds = list(self._data.GetBounds())
@@ -138,30 +98,12 @@ class Scene:
 
     def _check_dimension(self):
         """Raises ValueError for a grid without 3D cells, in which rays meet nothing."""
-        if self._table is not None:
-            types = _info(self.name).get("cellTypes", [])  # of tetrahedra alone, there are none
-            counts = {(kind["name"], kind["dimension"]): kind["cells"] for kind in types}
-        else:
-            counts = {}
-            for numbers, _ in get_cell_lists(self._data):
-                for number, count in zip(*np.unique(numbers, return_counts=True)):
-                    cell = vtkGenericCell.InstantiateCell(int(number))
-                    counts[cell.GetClassName(), cell.GetCellDimension()] = count
-        if counts and all(dimension < 3 for _, dimension in counts):
-            there = ", ".join(f"{count} {name}" for (name, _), count in counts.items())
-            raise ValueError(
-                f"{self.name}: has no 3D cells, only {there}; vtkGeometryFilter makes a surface of 2D cells, "
-                "which can be drawn"
-            )
-
-    def _find_volume_bounds(self):
-        from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
-
-        info = self.algorithm.GetOutputInformation(0)
-        image = vtkImageData()
-        image.SetExtent(info.Get(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT()))
-        image.CopyInformationFromPipeline(info)
-        return list(image.GetBounds())
+        counts = {}
+        for numbers, _ in get_cell_lists(self._data):
+            for number, count in zip(*np.unique(numbers, return_counts=True)):
+                cell = vtkGenericCell.InstantiateCell(int(number))
+                counts[cell.GetClassName(), cell.GetCellDimension()] = count
+        require_solid(self.name, counts)
 
     def _list_arrays(self):
         """Name, association, number of components and whether it is active, of all arrays."""
@@ -179,8 +121,6 @@ class Scene:
         """The named array, the active scalars, or the first array."""
         self.array = self.association = None
         self._components = 1
-        if self.algorithm and is_volume(self.algorithm):
-            return
         arrays = self._list_arrays()
         if name is None:
             # Ghost flags and the like are not what anybody wants to see.
@@ -207,17 +147,67 @@ class Scene:
         return component
 
     def _find_values(self):
-        if self.algorithm and is_volume(self.algorithm):
-            values = [0.0, 0.0]
-            self.algorithm.GetRange(values)
-            return tuple(values)
         if self.array is None:
             return (0.0, 1.0)
-        if self._table is None:
-            array = self._data.GetAttributes(self.association).GetArray(self.array)
-            return array.GetRange(self.component)
-        kind = ("Point", "Cell")[self.association]
-        ranges = vtk_to_numpy(self._table.GetColumnByName(f"{kind}:{self.array}"))
-        # The range of the length is the last one.
-        column = 2 * self.component if self.component >= 0 else ranges.shape[1] - 2
-        return (float(ranges[:, column].min()), float(ranges[:, column + 1].max()))
+        return self._data.GetAttributes(self.association).GetArray(self.array).GetRange(self.component)
+
+
+class FileScene(Scene):
+    """The file of a surface or a volume, which stays where it is.
+
+    Args:
+        file: a File or a Volume.
+        step, time: as for ``gatun.read``.
+        array, component: as for ``gatun.render``.
+    """
+
+    def __init__(self, file, step, time, array, component):
+        self._step, self._time = step, time
+        super().__init__(file, array, component)
+
+    def _open(self, source):
+        self._file = source
+        self.name = source.file_name
+        is_volume = isinstance(source, Volume)
+        self.kind = vtkImageData if is_volume else vtkPolyData
+        if source.path is None:
+            raise ValueError(f"{self.name}: surfaces and volumes are drawn from files on disk, or by what gatun.read makes")
+        if is_volume and (self._step not in (None, 0, -1) or self._time is not None):
+            raise ValueError(f"{self.name}: has no time steps")
+        self.algorithm = reader = get_class("vtkGatunHartleyReader" if is_volume else "vtkGatunSurfaceReader")()
+        reader.SetFileName(source.path)
+        with raising(reader):
+            reader.UpdateInformation()
+        self._input = Input(reader)
+        if is_volume:
+            return
+        number = source.find_step(self._step, self._time)
+        self.time = source.times[number] if source.times else None
+        reader.SetLargeMesh(0)
+
+    def _find_bounds(self):
+        if self.kind is vtkImageData:
+            return self._file.bounds
+        boxes = np.array([step.bounds for step in self._file.steps] or [self._file.info["bounds"]])
+        low, high = boxes[:, ::2].min(axis=0), boxes[:, 1::2].max(axis=0)
+        if not self._file.info["cells"] or not np.all(low <= high):
+            raise ValueError(f"{self.name}: has no cells to draw")
+        return np.column_stack([low, high]).ravel().tolist()
+
+    def _choose_array(self, name):
+        if self.kind is vtkPolyData:
+            super()._choose_array(name)
+        else:  # which has one
+            self.array, self.association, self._components = None, None, 1
+
+    def _list_arrays(self):
+        return [
+            (array.name, _CELLS if array.is_cell else _POINTS, array.components, bool(array.roles & 1))
+            for array in self._file.arrays
+            if array.name
+        ]
+
+    def _find_values(self):
+        if self.kind is vtkImageData:
+            return self._file.range
+        return self._file.find_range(self.array, self.component) if self.array else (0.0, 1.0)

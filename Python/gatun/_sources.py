@@ -102,6 +102,11 @@ class Handle:
         self._adapter = _Adapter(source)
         self.check(open_source(ctypes.byref(self._adapter.structure), *arguments, to))
 
+    @property
+    def name(self):
+        """The name of the file, for messages."""
+        return os.fsdecode(self.path) if self.path is not None else str(getattr(self.source, "name", "the file"))
+
     @contextlib.contextmanager
     def use(self):
         """The pointer, which stays valid in a block even if another thread closes the file."""

@@ -42,7 +42,8 @@ def _get_dtype(vtk_type):
 
 def _choose_type(description):
     """The type in VTK of an array of a file: that which it had, if it fits the values."""
-    if _get_dtype(description.vtk_type) == description.dtype:
+    known = _get_dtype(description.vtk_type)
+    if known is not None and known == description.dtype:  # NumPy takes None for a float
         return description.vtk_type
     kind = {"i": "Int", "u": "UInt", "f": "Float"}[description.dtype.kind]
     return getattr(vtkCommonCore, f"vtkType{kind}{8 * description.dtype.itemsize}Array")().GetDataType()

@@ -158,6 +158,19 @@ def run(
     return mesh
 
 
+def make_mesh(file: File, method: Callable[..., Grid], *arguments: Any, **options: Any) -> vtkUnstructuredGrid | vtkPolyData:
+    """The mesh that ``file.read``, ``file.contour`` or ``file.slice`` makes.
+
+    Args:
+        file: the file.
+        method: of it.
+        arguments, options: of the method.
+    """
+    if method == file.read:
+        return read_mesh(file, **options)
+    return run(file, method, *arguments, **options)
+
+
 def read_mesh(file: File, **options: Any) -> vtkUnstructuredGrid | vtkPolyData:
     """Reads the mesh of a file or a part of it, as ``vtkGatunReader`` and ``vtkGatunSurfaceReader`` do.
 

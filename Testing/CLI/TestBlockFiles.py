@@ -20,7 +20,7 @@ from vtkmodules.vtkIOExodus import vtkExodusIIWriter
 from vtkmodules.vtkIOParallelXML import vtkXMLPartitionedDataSetCollectionWriter
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataWriter
 
-from gatun import vtkGatunReader, vtkGatunSplitBlocks
+from gatun.vtk import vtkGatunReader, vtkGatunSplitBlocks
 from gatunCli import add_text, enter_folder, gtn, lattice, make_grid, write
 
 enter_folder("block-files")

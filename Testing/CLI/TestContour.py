@@ -12,7 +12,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkFiltersCore import vtkContourGrid
 
-from gatun import vtkGatunContour, vtkGatunReader
+from gatun.vtk import vtkGatunContour, vtkGatunReader
 from gatunCli import enter_folder, gtn, lattice, make_grid, read, waves, write
 from gatunSurfaces import (
     area_of, holes_of, is_closed, places_of, points_of, read_surface, triangles_of)

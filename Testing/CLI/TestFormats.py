@@ -16,7 +16,7 @@ from vtkmodules.vtkIOParallel import vtkEnSightWriter
 from vtkmodules.vtkIOParallelXML import vtkXMLPUnstructuredGridWriter
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataWriter, vtkXMLUnstructuredGridWriter
 
-from gatun import vtkGatunReader
+from gatun.vtk import vtkGatunReader
 from gatunCli import corners_of, enter_folder, gtn, lattice, make_grid, standard_mesh, write
 
 enter_folder("formats")

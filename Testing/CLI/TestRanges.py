@@ -20,7 +20,7 @@ from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, VTK_LINE, VTK_POLYHED
                                            VTK_TRIANGLE, VTK_VERTEX, vtkUnstructuredGrid)
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
-from gatun import vtkGatunReader
+from gatun.vtk import vtkGatunReader
 from gatunCli import (PROGRAM, add_text, corners_of, enter_folder, gtn, lattice, make_grid, permute,
                       waves, write)
 

@@ -19,7 +19,7 @@ from vtkmodules.vtkIOXML import (vtkXMLMultiBlockDataWriter, vtkXMLPolyDataReade
 
 import gatunSolverFiles
 import gatunVolumes as gv
-from gatun import vtkGatunWriter
+from gatun.vtk import vtkGatunWriter
 from gatunCli import add_text, enter_folder, gtn, lattice, make_grid, read, standard_mesh, write
 
 enter_folder("reader-faults")

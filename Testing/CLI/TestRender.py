@@ -10,7 +10,7 @@ import os
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkVolumeProperty
 
-from gatun import vtkGatunDefaults, vtkGatunRayCaster, vtkGatunReader
+from gatun.vtk import vtkGatunDefaults, vtkGatunRayCaster, vtkGatunReader
 from gatunCli import enter_folder, gtn, standard_mesh, write
 from gatunPictures import read_exr, read_png, run_oiiotool, to_array
 

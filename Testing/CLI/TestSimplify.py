@@ -8,7 +8,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
-from gatun import vtkGatunSimplify
+from gatun.vtk import vtkGatunSimplify
 from gatunCli import enter_folder, gtn, read, standard_mesh, write
 
 enter_folder("simplify")

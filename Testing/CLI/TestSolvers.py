@@ -11,7 +11,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkStaticCellLocator
 
 import gatunSolverFiles
-from gatun import vtkGatunReader
+from gatun.vtk import vtkGatunReader
 from gatunCli import enter_folder, gtn, skip
 
 try:

@@ -19,7 +19,7 @@ from vtkmodules.vtkIOParallelXML import vtkXMLPPolyDataWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from gatun import vtkGatunSurfaceReader
+from gatun.vtk import vtkGatunSurfaceReader
 from gatunCli import enter_folder, gtn, standard_mesh, write
 from gatunSurfaces import read_surface
 

@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools, vtkStringArray
 
 import gatunContours as gc
 import gatunMeshes as gm
-from gatun import vtkGatunContour
+from gatun.vtk import vtkGatunContour
 
 
 def wave_of(points):

@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 import gatunContours as gc
 import gatunMeshes as gm
-from gatun import vtkGatunErrorCode, vtkGatunContour, vtkGatunReader, vtkGatunWriter
+from gatun.vtk import vtkGatunErrorCode, vtkGatunContour, vtkGatunReader, vtkGatunWriter
 
 INVALID = vtkGatunErrorCode.InvalidInputError
 

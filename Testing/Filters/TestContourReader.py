@@ -12,7 +12,7 @@ from vtkmodules.vtkFiltersCore import vtkContourGrid, vtkElevationFilter
 import gatunContours as gc
 import gatunMeshes as gm
 import gatunTimeSource
-from gatun import vtkGatunWriter
+from gatun.vtk import vtkGatunWriter
 
 points, tets = gm.lattice(18, seed=3)
 

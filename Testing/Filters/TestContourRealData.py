@@ -14,7 +14,7 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 import gatunContours as gc
 import gatunMeshes as gm
-from gatun import vtkGatunWriter
+from gatun.vtk import vtkGatunWriter
 
 QUANTILES = (0, 0.02, 0.25, 0.5, 0.75, 0.98, 1)
 

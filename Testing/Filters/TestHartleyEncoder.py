@@ -16,7 +16,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 import gatunHartley as gh
 import gatunMeshes as gm
-from gatun import (vtkGatunErrorCode, vtkGatunHartleyCoefficients, vtkGatunHartleyEncoder,
+from gatun.vtk import (vtkGatunErrorCode, vtkGatunHartleyCoefficients, vtkGatunHartleyEncoder,
                    vtkGatunHartleyProjection)
 
 KEY = vtkGatunHartleyCoefficients.COEFFICIENTS()
@@ -175,7 +175,7 @@ assert str(encoder) and str(coefficients_of(encoder)) and str(project(encoder))
 
 # Encoder, reader and writer need nothing of VTK's rendering.
 script = f"""
-from gatun import vtkGatunHartleyEncoder, vtkGatunHartleyReader, vtkGatunHartleyWriter
+from gatun.vtk import vtkGatunHartleyEncoder, vtkGatunHartleyReader, vtkGatunHartleyWriter
 reader, encoder, writer = (
     make() for make in (vtkGatunHartleyReader, vtkGatunHartleyEncoder, vtkGatunHartleyWriter))
 reader.SetFileName({path!r})

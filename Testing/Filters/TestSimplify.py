@@ -10,7 +10,7 @@ from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 import gatunMeshes as gm
-from gatun import vtkGatunSimplify
+from gatun.vtk import vtkGatunSimplify
 
 
 def make_box(n=8, dtype=np.float32):

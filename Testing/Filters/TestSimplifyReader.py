@@ -14,7 +14,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkElevationFilter
 
 import gatunMeshes as gm
 import gatunTimeSource
-from gatun import vtkGatunReader, vtkGatunSimplify, vtkGatunWriter
+from gatun.vtk import vtkGatunReader, vtkGatunSimplify, vtkGatunWriter
 
 points, tets = gm.lattice(10, seed=3)
 TIMES = [0.0, 0.5, 2.0]

@@ -12,7 +12,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 import gatunMeshes as gm
-from gatun import vtkGatunSimplify
+from gatun.vtk import vtkGatunSimplify
 
 
 def volumes(points, tets):

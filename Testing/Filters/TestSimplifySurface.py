@@ -17,7 +17,7 @@ from vtkmodules.vtkFiltersParallel import vtkExtractPolyDataPiece
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 
 import gatunMeshes as gm
-from gatun import vtkGatunSimplify
+from gatun.vtk import vtkGatunSimplify
 
 
 def make_simplifier(surface, **options):

@@ -15,7 +15,7 @@ from vtkmodules.vtkFiltersCore import (
 import gatunMeshes as gm
 import gatunPolyData as pd
 import gatunTimeSource
-from gatun import vtkGatunErrorCode, vtkGatunSimplify, vtkGatunSurfaceReader, vtkGatunWriter
+from gatun.vtk import vtkGatunErrorCode, vtkGatunSimplify, vtkGatunSurfaceReader, vtkGatunWriter
 
 TIMES = [0.0, 0.5, 2.0]
 GHOSTS = "vtkGhostType"

@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkContourGrid
 
 import gatunMeshes as gm
-from gatun import vtkGatunContour, vtkGatunReader
+from gatun.vtk import vtkGatunContour, vtkGatunReader
 
 
 def kinds_of_files(array):

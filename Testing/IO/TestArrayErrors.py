@@ -11,7 +11,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader, vtkGatunWriter
+from gatun.vtk import vtkGatunReader, vtkGatunWriter
 
 KEEP_ALL = 7
 path = gm.temporary("errors.gtn")

@@ -18,7 +18,7 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
 import gatunCells as gc
 import gatunMeshes as gm
-from gatun import vtkGatunReader, vtkGatunWriter
+from gatun.vtk import vtkGatunReader, vtkGatunWriter
 from gatunTimeSource import TimeSource, connect
 
 

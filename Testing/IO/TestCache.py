@@ -10,7 +10,7 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader
+from gatun.vtk import vtkGatunReader
 
 PIECES = 8
 points, tets = gm.lattice(20)

@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkBezierWedge, vtkLagrangeWedge, vtkUnstructuredGrid
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader
+from gatun.vtk import vtkGatunReader
 from gatunCells import CURVED, LINEAR, RANDOM, described, finish, polyhedron, zoo
 
 def check(grid, **options):

@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline 
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 import gatunMeshes as gm
-from gatun import (
+from gatun.vtk import (
     vtkGatunContour, vtkGatunReader, vtkGatunSimplify, vtkGatunWriter)
 from gatunTimeSource import TimeSource, connect
 

@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonExecutionModel import (
     vtkCompositeDataPipeline, vtkStreamingDemandDrivenPipeline as pipeline)
 
 import gatunMeshes as gm
-from gatun import vtkGatunContour, vtkGatunReader, vtkGatunSimplify, vtkGatunWriter
+from gatun.vtk import vtkGatunContour, vtkGatunReader, vtkGatunSimplify, vtkGatunWriter
 
 points, tets = gm.lattice(6)
 TIMES = [0.0, 0.5, 2.0]

@@ -11,7 +11,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_WEDGE, vtkDataObject
 
 import gatunMeshes as gm
-from gatun import vtkGatunContour, vtkGatunReader, vtkGatunSimplify, vtkGatunWriter
+from gatun.vtk import vtkGatunContour, vtkGatunReader, vtkGatunSimplify, vtkGatunWriter
 from gatunTimeSource import TimeSource, connect
 
 POINTS, TETS = gm.lattice(8)

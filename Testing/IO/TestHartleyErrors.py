@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 import gatunHartley as gh
 import gatunMeshes as gm
-from gatun import (
+from gatun.vtk import (
     vtkGatunErrorCode, vtkGatunHartleyEncoder, vtkGatunHartleyReader, vtkGatunHartleyWriter)
 
 folder = os.path.join(os.environ["GATUN_TEST_TEMP"], "hartley-errors")

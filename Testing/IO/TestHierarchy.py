@@ -7,7 +7,7 @@ and without base meshes, in pieces, regions and time steps; and says what it can
 import numpy as np
 
 import gatunMeshes as gm
-from gatun import vtkGatunErrorCode, vtkGatunReader, vtkGatunSimplify
+from gatun.vtk import vtkGatunErrorCode, vtkGatunReader, vtkGatunSimplify
 
 points, tets = gm.lattice(18, seed=3)  # 29,478 tetrahedra
 grid = gm.make_grid(points, tets)

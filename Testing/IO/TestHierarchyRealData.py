@@ -11,7 +11,7 @@ import numpy as np
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader, vtkGatunSimplify
+from gatun.vtk import vtkGatunReader, vtkGatunSimplify
 
 files = sorted(glob.glob(os.path.join(gm.data_folder(), "*.vtu")))
 assert files

@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonMisc import vtkErrorCode
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as pipeline
 
 import gatunMeshes as gm
-from gatun import vtkGatunErrorCode, vtkGatunReader, vtkGatunWriter
+from gatun.vtk import vtkGatunErrorCode, vtkGatunReader, vtkGatunWriter
 from gatunTimeSource import TimeSource, connect
 
 points, tets = gm.lattice(14, seed=5)  # 16,464 tetrahedra

@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkImageData, vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkUnstructuredGrid)
 
 import gatunMeshes as gm
-from gatun import vtkGatunMergeBlocks, vtkGatunReader, vtkGatunWriter
+from gatun.vtk import vtkGatunMergeBlocks, vtkGatunReader, vtkGatunWriter
 
 
 def merged(*inputs, **options):

@@ -19,7 +19,7 @@ from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 import gatunMeshes as gm
-from gatun import vtkGatunMergeBlocks
+from gatun.vtk import vtkGatunMergeBlocks
 
 BLOCKS = 3
 MERGED, REFUSED = 0, 3

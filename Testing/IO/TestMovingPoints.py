@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkUnstructuredG
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as pipeline
 
 import gatunMeshes as gm
-from gatun import vtkGatunErrorCode, vtkGatunReader, vtkGatunWriter
+from gatun.vtk import vtkGatunErrorCode, vtkGatunReader, vtkGatunWriter
 from gatunTimeSource import TimeSource, connect
 
 STEPS = 50

@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkSOADataArrayT
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
 import gatunMeshes as gm
-from gatun import vtkGatunWriter
+from gatun.vtk import vtkGatunWriter
 
 
 class Warnings:

@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline 
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader
+from gatun.vtk import vtkGatunReader
 
 UNUSED = 17
 points, tets = gm.lattice(10)

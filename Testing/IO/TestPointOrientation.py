@@ -10,7 +10,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_VOXEL, vtkCellArray
 
 import gatunMeshes as gm
-from gatun import vtkGatunWriter
+from gatun.vtk import vtkGatunWriter
 
 path = gm.temporary("upright.gtn")
 rng = np.random.default_rng(3)

@@ -9,7 +9,7 @@ import time
 import numpy as np
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader, vtkGatunWriter
+from gatun.vtk import vtkGatunReader, vtkGatunWriter
 from gatunTimeSource import TimeSource, connect
 
 points, tets = gm.lattice(12)

@@ -11,7 +11,7 @@ import numpy as np
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 import gatunMeshes as gm
-from gatun import vtkGatunErrorCode, vtkGatunReader
+from gatun.vtk import vtkGatunErrorCode, vtkGatunReader
 
 NOT_FOUND, CANNOT_OPEN = vtkErrorCode.FileNotFoundError, vtkErrorCode.CannotOpenFileError
 UNRECOGNIZED, PREMATURE = vtkErrorCode.UnrecognizedFileTypeError, vtkErrorCode.PrematureEndOfFileError

@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline 
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 import gatunMeshes as gm
-from gatun import vtkGatunMergeBlocks, vtkGatunReader, vtkGatunWriter
+from gatun.vtk import vtkGatunMergeBlocks, vtkGatunReader, vtkGatunWriter
 
 folder = gm.data_folder()
 path = gm.temporary("real.gtn")

@@ -7,7 +7,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import gatunMeshes as gm
-from gatun import vtkGatunErrorCode, vtkGatunReader
+from gatun.vtk import vtkGatunErrorCode, vtkGatunReader
 
 points, tets = gm.lattice(16)
 grid = gm.make_grid(points, tets)

@@ -10,7 +10,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader
+from gatun.vtk import vtkGatunReader
 
 points, tets = gm.lattice(10)
 middle = points[tets].mean(1)

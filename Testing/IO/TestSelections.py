@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 import gatunMeshes as gm
-from gatun import vtkGatunErrorCode, vtkGatunReader, vtkGatunWriter
+from gatun.vtk import vtkGatunErrorCode, vtkGatunReader, vtkGatunWriter
 
 grid = gm.block(n=12)
 path = gm.temporary("selections.gtn")

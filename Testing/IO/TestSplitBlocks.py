@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 import gatunMeshes as gm
-from gatun import vtkGatunErrorCode, vtkGatunReader, vtkGatunSplitBlocks
+from gatun.vtk import vtkGatunErrorCode, vtkGatunReader, vtkGatunSplitBlocks
 from gatunBlocks import assert_equal, assert_same, collect, listed, merge, split
 from gatunCells import CURVED, LINEAR, polyhedron, zoo
 

@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline 
 from vtkmodules.vtkIOExodus import vtkExodusIIReader
 
 import gatunMeshes as gm
-from gatun import vtkGatunMergeBlocks, vtkGatunReader, vtkGatunSplitBlocks, vtkGatunWriter
+from gatun.vtk import vtkGatunMergeBlocks, vtkGatunReader, vtkGatunSplitBlocks, vtkGatunWriter
 from gatunBlocks import NAME, assert_equal, assert_same, listed
 
 SETS = (vtkExodusIIReader.ELEM_BLOCK, vtkExodusIIReader.SIDE_SET, vtkExodusIIReader.NODE_SET)

@@ -20,7 +20,7 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter, vtkGeometryFi
 from vtkmodules.vtkFiltersParallel import vtkRemoveGhosts
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader
+from gatun.vtk import vtkGatunReader
 
 N = 64  # 1.6 million tetrahedra, about 75 bytes each in memory
 CHUNK_TETS = 4096

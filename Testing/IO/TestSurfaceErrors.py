@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 import gatunMeshes as gm
 import gatunPolyData as pd
-from gatun import vtkGatunErrorCode, vtkGatunReader, vtkGatunSurfaceReader, vtkGatunWriter
+from gatun.vtk import vtkGatunErrorCode, vtkGatunReader, vtkGatunSurfaceReader, vtkGatunWriter
 
 INVALID = vtkGatunErrorCode.InvalidInputError
 folder = os.path.join(os.environ["GATUN_TEST_TEMP"], "surface-errors")

@@ -10,7 +10,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 
 import gatunMeshes as gm
 import gatunPolyData as pd
-from gatun import vtkGatunFileHandle, vtkGatunWriter
+from gatun.vtk import vtkGatunFileHandle, vtkGatunWriter
 from gatunPieceSource import PieceSource, write_pieces
 from gatunTimeSource import TimeSource, connect
 

@@ -11,7 +11,7 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 import gatunMeshes as gm
 import gatunPolyData as pd
-from gatun import vtkGatunWriter
+from gatun.vtk import vtkGatunWriter
 
 KEEP_ALL = 7
 

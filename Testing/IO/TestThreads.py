@@ -10,7 +10,7 @@ import sys
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader, vtkGatunWriter
+from gatun.vtk import vtkGatunReader, vtkGatunWriter
 
 if not os.path.exists("/proc/self/status"):
     sys.exit(gm.SKIPPED)

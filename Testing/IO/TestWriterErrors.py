@@ -18,7 +18,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkTable, vtkUnstructure
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 import gatunMeshes as gm
-from gatun import vtkGatunErrorCode, vtkGatunWriter
+from gatun.vtk import vtkGatunErrorCode, vtkGatunWriter
 
 folder = os.path.join(os.environ["GATUN_TEST_TEMP"], "writer-errors")
 os.makedirs(folder, exist_ok=True)

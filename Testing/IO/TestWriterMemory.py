@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonMisc import vtkErrorCode
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 import gatunMeshes as gm
-from gatun import vtkGatunWriter
+from gatun.vtk import vtkGatunWriter
 
 folder = os.path.join(os.environ["GATUN_TEST_TEMP"], "writer-memory")
 path = os.path.join(folder, "mesh.gtn")

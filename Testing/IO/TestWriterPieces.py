@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridWriter
 
 import gatunMeshes as gm
-from gatun import vtkGatunErrorCode, vtkGatunReader, vtkGatunWriter
+from gatun.vtk import vtkGatunErrorCode, vtkGatunReader, vtkGatunWriter
 from gatunPieceSource import PieceSource, mark_ghosts, write_pieces
 
 PIECES = 6

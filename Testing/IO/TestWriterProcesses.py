@@ -19,7 +19,7 @@ from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
 import gatunMeshes as gm
 import gatunPolyData as pd
-from gatun import vtkGatunReader
+from gatun.vtk import vtkGatunReader
 from gatunPieceSource import PieceSource, mark_ghosts, write_pieces
 
 world = MPI.COMM_WORLD

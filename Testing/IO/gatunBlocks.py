@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkDataObject, vtkMultiBlockDataSet, vtkPartitionedDataSetCollection, vtkUnstructuredGrid)
 
 import gatunMeshes as gm
-from gatun import vtkGatunMergeBlocks, vtkGatunSplitBlocks
+from gatun.vtk import vtkGatunMergeBlocks, vtkGatunSplitBlocks
 from gatunCells import described
 
 NAME = vtkMultiBlockDataSet.NAME()

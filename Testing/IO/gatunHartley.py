@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonCore import vtkAbstractArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 import gatunMeshes as gm
-from gatun import vtkGatunErrorCode, vtkGatunHartleyEncoding, vtkGatunHartleyReader, vtkGatunHartleyWriter
+from gatun.vtk import vtkGatunErrorCode, vtkGatunHartleyEncoding, vtkGatunHartleyReader, vtkGatunHartleyWriter
 
 LOSSLESS = {"RateControl": vtkGatunHartleyEncoding.RATE_CONTROL_RMS_ERROR, "RMSError": 0}
 INVALID = vtkGatunErrorCode.InvalidInputError

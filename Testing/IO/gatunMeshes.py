@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonCore import (
 from vtkmodules.vtkCommonDataModel import (
     VTK_POLYHEDRON, vtkCellArray, vtkDataSetAttributes, vtkUnstructuredGrid)
 
-from gatun import vtkGatunReader, vtkGatunWriter
+from gatun.vtk import vtkGatunReader, vtkGatunWriter
 
 SKIPPED = 125
 

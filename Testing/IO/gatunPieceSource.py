@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonExecutionModel import (
     vtkAlgorithm, vtkStreamingDemandDrivenPipeline as pipeline)
 
 import gatunMeshes as gm
-from gatun import vtkGatunWriter
+from gatun.vtk import vtkGatunWriter
 
 
 class PieceSource(VTKPythonAlgorithmBase):

@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonCore import vtkPoints, vtkTypeInt32Array, vtkTypeInt64A
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 import gatunMeshes as gm
-from gatun import vtkGatunSurfaceReader
+from gatun.vtk import vtkGatunSurfaceReader
 
 LISTS = ("Verts", "Lines", "Polys", "Strips")
 

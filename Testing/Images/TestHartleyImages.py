@@ -8,7 +8,7 @@ import numpy as np
 import gatunHartley as gh
 import gatunMeshes as gm
 import gatunScenes as gs
-from gatun import (vtkGatunHartleyEncoder, vtkGatunHartleyEncoding, vtkGatunHartleyProjection,
+from gatun.vtk import (vtkGatunHartleyEncoder, vtkGatunHartleyEncoding, vtkGatunHartleyProjection,
                    vtkGatunHartleyReader)
 
 

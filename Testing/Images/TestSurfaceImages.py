@@ -11,7 +11,7 @@ from vtkmodules.vtkFiltersGeneral import vtkClipDataSet
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkCommonCore import vtkIdTypeArray
 
-from gatun import vtkGatunContour, vtkGatunSimplify
+from gatun.vtk import vtkGatunContour, vtkGatunSimplify
 
 
 def draw_surface(source, **options):

@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPlaneCollection
 from vtkmodules.vtkFiltersSources import vtkArrowSource, vtkSphereSource
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
-from gatun import vtkGatunRayCaster, vtkGatunVolumeMapper
+from gatun.vtk import vtkGatunRayCaster, vtkGatunVolumeMapper
 
 
 def draw_volume(source, shade=False, camera=None, **options):

@@ -23,7 +23,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkVolume, vtkVolumeProperty, vtkWindowToImageFilter)
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader, vtkGatunVolumeMapper
+from gatun.vtk import vtkGatunReader, vtkGatunVolumeMapper
 
 SIZE = 200
 BACKGROUND = (0.10, 0.12, 0.20)

@@ -97,7 +97,7 @@ if (PYTHON_DESTINATION)
     "${PYTHON}" "${SOURCE_DIR}/Examples/Python/numpy_round_trip.py" "${TEMP}")
   # The program of the same prefix. A semicolon would divide the argument.
   expect(0 "^4913\n$" "${PYTHON}" -c "print(__import__('gatun').info('mesh.gtn')['points'])")
-  foreach (file IN ITEMS __init__.pyi vtkGatunIO.pyi py.typed)
+  foreach (file IN ITEMS __init__.pyi vtk/__init__.pyi vtk/vtkGatunIO.pyi py.typed)
     if (NOT EXISTS "${TEMP}/prefix/${PYTHON_DESTINATION}/gatun/${file}")
       message(FATAL_ERROR "${file} is not installed")
     endif ()

@@ -8,6 +8,7 @@ Arguments: the wheel.
 
 import base64
 import hashlib
+import importlib.util
 import os
 import pathlib
 import re
@@ -58,14 +59,55 @@ with gatun.open(folder + "/copy.gtn") as file:
         assert all(copy.point_data[key].tobytes() == values.tobytes() for key, values in grid.point_data.items())
 with gatun.open(golden + "/lossless_volume.ghv") as volume:
     assert volume.read().shape == volume.shape
-for name in ("read", "vtkGatunReader"):
+path = golden + "/time_steps.gtn"
+grid = gatun.read(path, step=-1)
+assert isinstance(grid, gatun.Grid) and grid.time == gatun.steps(path)[-1]
+assert gatun.info(path)["points"] == len(grid.points) and gatun.render(path, size=(8, 6)).shape == (6, 8, 4)
+assert gatun.slice(path, grid.points.mean(axis=0), (1, 0, 0)).is_surface
+gatun.verify(path)
+for call in (lambda: gatun.vtk, lambda: gatun.from_numpy, lambda: gatun.read(path, to="vtk"),
+             lambda: gatun.render(golden + "/lossless_volume.ghv")):
     try:
-        getattr(gatun, name)
+        call()
     except ImportError as error:
         assert "VTK" in str(error), error
     else:
-        raise AssertionError(name)
+        raise AssertionError(call)
 assert "read" in dir(gatun) and "open" in dir(gatun)
+"""
+
+# The same with VTK, and PyVista if it is there: its meshes are read, drawn and written.
+WITH_VTK = """
+import sys
+import gatun
+from vtkmodules.vtkCommonCore import vtkVersion
+
+golden, folder = sys.argv[1:]
+for name in ("time_steps", "polyhedra", "surface", "attributes"):
+    path = f"{golden}/{name}.gtn"
+    mesh = gatun.read(path)
+    assert mesh.GetNumberOfCells() == gatun.info(path)["cells"] == len(gatun.read(path, to="numpy").types), name
+    gatun.write(mesh, f"{folder}/{name}.gtn", overwrite=True)
+    assert gatun.read(f"{folder}/{name}.gtn").GetNumberOfCells() == mesh.GetNumberOfCells()
+assert gatun.read(golden + "/lossless_volume.ghv").IsA("vtkImageData")
+assert gatun.render(golden + "/time_steps.gtn", size=(8, 6)).shape == (6, 8, 4)
+try:
+    gatun.vtk
+except ImportError as error:
+    assert "classes" in str(error), error
+else:
+    raise AssertionError("a wheel has no classes of VTK")
+try:
+    import pyvista
+except ImportError:
+    pyvista = None
+if pyvista:
+    grid = gatun.read(golden + "/time_steps.gtn", to="pyvista")
+    assert isinstance(grid, pyvista.UnstructuredGrid)
+    if tuple(map(int, pyvista.__version__.split(".")[:2])) >= (0, 48):
+        grid.save(folder + "/saved.gtn")
+        assert pyvista.read(folder + "/saved.gtn").n_cells == grid.n_cells
+print("VTK", vtkVersion.GetVTKVersion(), "PyVista", pyvista and pyvista.__version__)
 """
 
 
@@ -117,7 +159,9 @@ class Wheel(unittest.TestCase):
         install = [python, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps", str(PATH.resolve())]
         subprocess.run(install, check=True)
         clean = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "GATUN"))}
-        subprocess.run([python, "-B", "-c", PROGRAM, str(GOLDEN), self.folder.name], check=True, env=clean)
+        programs = [PROGRAM] + ([WITH_VTK] if importlib.util.find_spec("vtkmodules") else [])
+        for program in programs:
+            subprocess.run([python, "-B", "-c", program, str(GOLDEN), self.folder.name], check=True, env=clean)
 
 
 if __name__ == "__main__":

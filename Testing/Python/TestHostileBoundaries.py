@@ -16,7 +16,7 @@ except ImportError as error:
     print(error)
     sys.exit(golden.gm.SKIPPED)
 
-from gatun import vtkGatunReader
+from gatun.vtk import vtkGatunReader
 from gatunGoldenCells import boundary as make_tet
 from gtn_boundary import check_boundary
 from gtn_bytes import FormatError

@@ -155,7 +155,7 @@ class Declarations(unittest.TestCase):
     def test_codes(self):
         """Codes of errors are those of the classes of VTK."""
         for number, name in _library._CODES.values():
-            self.assertEqual(gatun.vtkGatunErrorCode.GetStringFromErrorCode(number), name)
+            self.assertEqual(gatun.vtk.vtkGatunErrorCode.GetStringFromErrorCode(number), name)
 
 
 class Errors(unittest.TestCase):
@@ -181,7 +181,7 @@ class Errors(unittest.TestCase):
         with gatun.open(write_file()) as file:
             read = file.read
             for text, parameters in [
-                ("no step 1", {"step": 1}),
+                ("no time steps", {"step": 1}),
                 ("no time steps", {"time": 0.5}),
                 ("exclude", {"step": 0, "time": 0.5}),
                 ("no array 'w'", {"arrays": "w"}),

@@ -11,6 +11,7 @@ import gatun
 import numpy as np
 from gatunCube import make_cube, require_equal, require_raises
 from vtkmodules.vtkCommonCore import vtkBitArray, vtkSOADataArrayTemplate
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 points, tets = make_cube(4)
 rng = np.random.default_rng(1)
@@ -208,3 +209,14 @@ require_raises(
 require_raises(TypeError, "no vtkUnstructuredGrid", gatun.to_numpy, image)
 require_raises(ValueError, "3 dimensions", gatun.image_from_numpy, np.zeros((2, 2)))
 require_raises(ValueError, "no array 'w'", gatun.image_to_numpy, image, "w")
+
+# Cells that no points are there for, and cells without points.
+bare = vtkPolyData()
+cells = vtkCellArray()
+for corners in ([0], [3, 4], []):
+    cells.InsertNextCell(len(corners), corners)
+bare.SetVerts(cells)
+blocks = gatun.to_numpy(bare).cells
+assert [(name, corners.tolist()) for name, corners in blocks] == [
+    ("vertex", [[0]]), ("poly_vertex", [[3, 4]]), ("poly_vertex", [[]])
+], blocks

@@ -33,7 +33,7 @@ os.rmdir(missing)
 for function in (gatun.read, gatun.render, gatun.steps, gatun.info):
     require_raises(FileNotFoundError, nowhere, function, nowhere)
     require_raises(IsADirectoryError, folder, function, folder)
-    error = require_raises(gatun.Error, "neither", function, __file__)
+    error = require_raises(gatun.Error, __file__, function, __file__)
     assert error.name == "UnrecognizedFileTypeError" and error.code != 0
 with open(good, "rb") as file:
     contents = bytearray(file.read())
@@ -57,7 +57,7 @@ require_raises(ValueError, "no array 'x'; there are 'value', 'id'", read, good, 
 require_raises(ValueError, "no time steps", read, good, step=1)
 require_raises(ValueError, "no time steps", read, good, time=1.0)
 require_raises(ValueError, "exclude each other", read, good, step=0, time=1.0)
-require_raises(ValueError, "the range is 0 to 1", read, good, ratio=1.5)
+require_raises(ValueError, "ratio: 1.5 is not from 0 to 1", read, good, ratio=1.5)
 require_raises(ValueError, "ratio", read, good, ratio=math.nan)
 require_raises(TypeError, "ratio", read, good, ratio="half")
 require_raises(ValueError, "above its maximum", read, good, box=(1, 0, 0, 1, 0, 1))

@@ -5,12 +5,14 @@
 
 import importlib.metadata
 import os
+import pathlib
 import sys
 import types
 
 import gatun
 import numpy as np
 from gatunCube import make_cube, require_raises
+from TestHttp import Server
 
 folder = os.path.join(os.environ["GATUN_TEST_TEMP"], os.environ["GATUN_TEST_NAME"])
 os.makedirs(folder, exist_ok=True)
@@ -23,7 +25,6 @@ try:
 except ImportError:
     pyvista = None
     stand_in = types.ModuleType("pyvista")
-    stand_in.LocalFileRequiredError = type("LocalFileRequiredError", (Exception,), {})
     stand_in.wrap = lambda data: ("wrapped", data)
     sys.modules["pyvista"] = stand_in
 
@@ -42,8 +43,9 @@ if pyvista is None:
     assert kind == "wrapped"
 assert result.GetNumberOfCells() == len(tets) and result.GetPointData().GetArray("a").GetValue(63) == 1
 require_raises(TypeError, "colour", read, path, colour=1)
-remote = sys.modules["pyvista"].LocalFileRequiredError
-require_raises(remote, "", read, "https://example.org/mesh.gtn")
+with Server(pathlib.Path(path).read_bytes()) as server:
+    remote = read(server.url)
+assert (remote if pyvista else remote[1]).GetNumberOfCells() == len(tets)
 
 if pyvista is not None:
     pyvista.wrap(mesh).save(path)

@@ -10,7 +10,7 @@ import sys
 import numpy as np
 
 import gatunMeshes as gm
-from gatun import vtkGatunWriter
+from gatun.vtk import vtkGatunWriter
 from gatunTimeSource import TimeSource, connect
 
 try:

@@ -67,7 +67,7 @@ def options_of(*command):
 options = set().union(*(options_of(*command.split()) for command in (
     "pack", "unpack", "render", "simplify", "contour", "mesh", "volume pack", "volume render", "info")))
 parameters = {}
-for function in gatun.read, gatun.write, gatun.render:
+for function in gatun.read, gatun.write, gatun.File.read, gatun.File.render:
     parameters.update(inspect.signature(function).parameters)
 xml = {}  # defaults by name
 for path in glob.glob(os.path.join(sources, "paraview_plugin", "*.xml")):
@@ -103,7 +103,7 @@ def check_plugin(where, name, text, default):
 
 for classes, rows in tables():
     for name in classes:
-        kind = getattr(gatun, name)
+        kind = getattr(gatun.vtk, name)
         listed = set()
         for names, values, default, python, program, plugin in rows:
             properties = names.split(", ")

@@ -4,6 +4,7 @@
 """Every class, method, function and parameter is documented, in stubs that mypy understands."""
 
 import ast
+import importlib
 import importlib.util
 import inspect
 import os
@@ -12,7 +13,6 @@ import sys
 
 import gatun
 from gatun._build import modules
-from gatun._classes import load_module
 from gatunCube import find
 
 FOLDER = os.path.dirname(gatun.__file__)
@@ -21,6 +21,10 @@ FOLDER = os.path.dirname(gatun.__file__)
 def parse(name):
     with open(os.path.join(FOLDER, name + ".pyi"), encoding="ascii") as file:
         return ast.parse(file.read())
+
+
+def load_module(name):
+    return importlib.import_module("gatun.vtk." + name)
 
 
 # The functions of the package: each parameter has its line.
@@ -37,12 +41,15 @@ for name in gatun._members:
             assert one or parameter.name in text, (name, parameter.name)
 
 # The wrapped classes: all are in the stubs, with all of their methods, each with a text.
-package = {alias.asname for node in parse("__init__").body if isinstance(node, ast.ImportFrom)
-           for alias in node.names}
-assert set(gatun._members) <= package
+def names_of(stub):
+    return {alias.asname for node in parse(stub).body if isinstance(node, ast.ImportFrom) for alias in node.names}
+
+
+assert set(gatun._members) <= names_of("__init__")
+package = names_of("vtk/__init__")
 count = 0
 for module in modules:
-    stubs = {node.name: node for node in parse(module).body if isinstance(node, ast.ClassDef)}
+    stubs = {node.name: node for node in parse("vtk/" + module).body if isinstance(node, ast.ClassDef)}
     wrapped = [item for name, item in vars(load_module(module)).items() if name.startswith("vtk")]
     for cls in filter(inspect.isclass, wrapped):
         assert cls.__name__ in package, cls
@@ -60,7 +67,7 @@ for module in modules:
 assert count > 500, count
 
 # What VTK's docstrings leave out: methods of a group other than the first.
-box = [node for node in ast.walk(parse("vtkGatunIO"))
+box = [node for node in ast.walk(parse("vtk/vtkGatunIO"))
        if isinstance(node, ast.FunctionDef) and node.name == "GetBox"]
 assert ast.get_docstring(box[0]).startswith("Region of interest")
 assert ast.unparse(box[0].returns) == "Tuple[" + ", ".join(["float"] * 6) + "]"
@@ -76,23 +83,23 @@ import numpy as np
 mesh = gatun.read("a.gtn", arrays=["p"], step=-1)
 size: int = gatun.write(mesh, "b.gtn", tolerances={"p": "rel:1e-3"}, times=[0.5])
 image: np.ndarray = gatun.render("a.gtn", size=(3, 4), opacity=[0, 1], background="white")
-reader = gatun.vtkGatunReader()
+reader = gatun.vtk.vtkGatunReader()
 reader.SetFileName("a.gtn")
 reader.SetBox(0, 1, 0, 1, 0, 1)
 reader.SetBox((0, 1, 0, 1, 0, 1))
 ratio: float = reader.GetSimplificationRatio()
-mode: int = gatun.vtkGatunRayCaster.XRAY_BLEND
+mode: int = gatun.vtk.vtkGatunRayCaster.XRAY_BLEND
 points: np.ndarray = gatun.to_numpy(mesh).cells_dict["tetra"]
 times: list[float] = gatun.steps("a.gtn")
 """
 WRONG = """\
 import gatun
 gatun.read("a.gtn", step="last")
-gatun.read(3)
+gatun.read("a.gtn", box=3)
 gatun.write(None, "b.gtn", error="rel:1e-3")
-text: str = gatun.vtkGatunReader().GetSimplificationRatio()
-gatun.vtkGatunReader().SetBox("a")
-gatun.vtkGatunWriter().SetKeepOrder("all")
+text: str = gatun.vtk.vtkGatunReader().GetSimplificationRatio()
+gatun.vtk.vtkGatunReader().SetBox("a")
+gatun.vtk.vtkGatunWriter().SetKeepOrder("all")
 gatun.no_such_function()
 """
 

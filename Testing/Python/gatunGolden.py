@@ -33,7 +33,7 @@ sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "
 
 import gatunMeshes as gm  # noqa: E402  (in the folder just added)
 import gatunPolyData as pd  # noqa: E402
-from gatun import vtkGatunReader, vtkGatunSurfaceReader  # noqa: E402
+from gatun.vtk import vtkGatunReader, vtkGatunSurfaceReader  # noqa: E402
 
 
 def path_of(name):

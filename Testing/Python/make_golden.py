@@ -36,7 +36,7 @@ import gatunGoldenSteps
 import gatunGoldenTets
 from describe_decoded import (
     cells_of_decoder, checksum_of, describe_core, describe_decoded, describe_volume)
-from gatun import vtkGatunWriter
+from gatun.vtk import vtkGatunWriter
 from gatunCells import described
 from gatunMeshes import set_options, set_tolerance
 from gatunGolden import gm

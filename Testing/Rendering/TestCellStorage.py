@@ -20,7 +20,7 @@ import gatunMeshes as gm
 import gatunPolyData as pd
 import gatunSurfaceScene
 import gatunVolumes
-from gatun import vtkGatunContour, vtkGatunSimplify
+from gatun.vtk import vtkGatunContour, vtkGatunSimplify
 from gatunBlocks import collect, listed, merge, split
 from gatunCells import polyhedron
 

@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON, vtkUnstructuredGrid
 import gatunContours as gc
 import gatunMeshes as gm
 import gatunVolumes as gv
-from gatun import vtkGatunSimplify, vtkGatunWriter
+from gatun.vtk import vtkGatunSimplify, vtkGatunWriter
 
 N = 5
 CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]

@@ -18,7 +18,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 import gatunMeshes as gm
 import gatunVolumes as gv
-from gatun import vtkGatunWriter
+from gatun.vtk import vtkGatunWriter
 
 FOLDER = os.environ.get("GATUN_CELLS_DIR")
 if not FOLDER:

@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline 
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 
 import gatunVolumes as gv
-from gatun import vtkGatunReader, vtkGatunWriter
+from gatun.vtk import vtkGatunReader, vtkGatunWriter
 from gatunSurfaceScene import VIEWS, pair, require_equal
 from gatunTimeSource import TimeSource, connect
 

@@ -10,7 +10,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera, vtkColorTransferFunction, vtk
 
 import gatun
 import gatunMeshes as gm
-from gatun import vtkGatunDefaults, vtkGatunReader
+from gatun.vtk import vtkGatunDefaults, vtkGatunReader
 
 points, tets = gm.lattice(12, seed=3)
 values = np.exp(-30 * ((points - points.mean(axis=0)) ** 2).sum(axis=1)).astype(np.float32)
@@ -126,7 +126,7 @@ assert np.isclose(np.abs(seen_by(camera, 1, used)).max(), 0.94)
 # Of a large file few chunks are decoded.
 reader = open_reader()
 assert make(reader).FitCamera(camera, 1)
-handle = reader.GetOutputInformation(0).Get(gatun.vtkGatunFileHandle.FILE_HANDLE())
+handle = reader.GetOutputInformation(0).Get(gatun.vtk.vtkGatunFileHandle.FILE_HANDLE())
 chunks = reader.GetChunkTable().GetNumberOfRows()
 assert 0 < handle.GetDecodedChunks() < chunks, (handle.GetDecodedChunks(), chunks)
 

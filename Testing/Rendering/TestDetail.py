@@ -8,7 +8,7 @@ import numpy as np
 
 import gatunMeshes as gm
 import gatunVolumes as gv
-from gatun import vtkGatunRayCaster, vtkGatunReader
+from gatun.vtk import vtkGatunRayCaster, vtkGatunReader
 
 AT_REST = 0.0001  # pictures a second
 IN_MOTION = 20.0

@@ -7,7 +7,7 @@ import numpy as np
 
 import gatunMeshes as gm
 import gatunVolumes as gv
-from gatun import (
+from gatun.vtk import (
     vtkGatunDetailPolicy, vtkGatunRayCaster, vtkGatunSurfaceMapper, vtkGatunVolumeMapper)
 
 RANGES = {"TimeBudget": (0, 1e6), "PixelError": (0, 1e6), "SimplificationRatio": (0, 1)}

@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 import gatunHartley as gh
 import gatunMeshes as gm
 import gatunRays as gr
-from gatun import vtkGatunErrorCode, vtkGatunHartleyProjection
+from gatun.vtk import vtkGatunErrorCode, vtkGatunHartleyProjection
 
 INVALID = vtkGatunErrorCode.InvalidInputError
 field = gh.blobs((30, 26, 34), seed=6, scale=1000).astype(np.int16)

@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonTransforms import vtkTransform
 import gatunHartley as gh
 import gatunMeshes as gm
 import gatunRays as gr
-from gatun import vtkGatunErrorCode, vtkGatunHartleyProjection
+from gatun.vtk import vtkGatunErrorCode, vtkGatunHartleyProjection
 
 SIZE = (60, 44)
 field = gh.blobs((14, 11, 17), seed=3, scale=100).astype(np.float32)

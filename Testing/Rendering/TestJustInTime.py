@@ -8,7 +8,7 @@ import math
 
 import gatunMeshes as gm
 import gatunVolumes as gv
-from gatun import vtkGatunSimplify
+from gatun.vtk import vtkGatunSimplify
 
 AT_REST = 0.0001  # pictures a second
 IN_MOTION = 20.0

@@ -11,7 +11,7 @@ from vtkmodules.util.vtkConstants import VTK_STRING
 
 import gatunMeshes as gm
 import gatunVolumes as gv
-from gatun import vtkGatunReader
+from gatun.vtk import vtkGatunReader
 
 AT_REST = 0.0001  # pictures a second
 IN_MOTION = 20.0

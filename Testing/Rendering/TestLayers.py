@@ -5,7 +5,7 @@
 
 import gatunMeshes as gm
 import gatunVolumes as gv
-from gatun import vtkGatunReader
+from gatun.vtk import vtkGatunReader
 
 grid = gv.box(16)
 expected = gv.draw(grid)

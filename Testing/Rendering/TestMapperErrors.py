@@ -12,7 +12,7 @@ from vtkmodules.vtkFiltersCore import vtkElevationFilter
 from vtkmodules.util.vtkConstants import VTK_TRIANGLE
 
 import gatunVolumes as gv
-from gatun import vtkGatunReader
+from gatun.vtk import vtkGatunReader
 
 USE_FIELD_DATA = 5  # VTK_SCALAR_MODE_USE_FIELD_DATA
 

@@ -23,7 +23,7 @@ except ImportError:
 
 import gatunMeshes as gm
 import gatunVolumes as gv
-from gatun import vtkGatunVolumeMapper
+from gatun.vtk import vtkGatunVolumeMapper
 
 SIZE = (150, 110)
 world = MPI.COMM_WORLD

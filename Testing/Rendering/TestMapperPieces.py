@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline 
 from vtkmodules.vtkFiltersCore import vtkElevationFilter, vtkPointDataToCellData
 
 import gatunVolumes as gv
-from gatun import vtkGatunReader
+from gatun.vtk import vtkGatunReader
 
 PIECES = 4
 

@@ -9,7 +9,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkVolume, vtkWindowToImageFilter
 
 import gatunVolumes as gv
-from gatun import vtkGatunReader, vtkGatunVolumeMapper
+from gatun.vtk import vtkGatunReader, vtkGatunVolumeMapper
 
 MESH = gv.wave()
 OTHER = gv.wave(5, seed=3)

@@ -9,7 +9,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 
 import gatunVolumes as gv
-from gatun import vtkGatunContour, vtkGatunReader, vtkGatunSimplify, vtkGatunWriter
+from gatun.vtk import vtkGatunContour, vtkGatunReader, vtkGatunSimplify, vtkGatunWriter
 from gatunTimeSource import TimeSource, connect
 
 STEPS = 12

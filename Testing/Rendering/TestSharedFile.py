@@ -15,7 +15,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkElevationFilter
 
 import gatunVolumes as gv
-from gatun import vtkGatunContour, vtkGatunFileHandle, vtkGatunReader, vtkGatunSimplify
+from gatun.vtk import vtkGatunContour, vtkGatunFileHandle, vtkGatunReader, vtkGatunSimplify
 
 gm = gv.gm
 KEY = vtkGatunFileHandle.FILE_HANDLE()

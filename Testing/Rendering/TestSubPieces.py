@@ -17,7 +17,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 import vtkmodules.vtkRenderingOpenGL2  # pylint: disable=unused-import
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader
+from gatun.vtk import vtkGatunReader
 
 N = 56
 PIECES = 24

@@ -13,7 +13,7 @@ from vtkmodules.vtkRenderingCore import vtkHardwareSelector
 
 import gatunMeshes as gm
 import gatunPolyData as pd
-from gatun import vtkGatunWriter
+from gatun.vtk import vtkGatunWriter
 from gatunSurfaceScene import Scene, ball, covered, pair, require_equal
 from gatunTimeSource import TimeSource, connect
 

@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkColorTransferFunction, vtkVolumeProperty
 
 import gatunMeshes as gm
-from gatun import vtkGatunHartleyEncoder, vtkGatunHartleyProjection
+from gatun.vtk import vtkGatunHartleyEncoder, vtkGatunHartleyProjection
 from gatunHartley import LOSSLESS
 
 

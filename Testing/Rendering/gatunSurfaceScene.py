@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingCore import (
 
 import gatunMeshes as gm
 import gatunPolyData as pd
-from gatun import vtkGatunSurfaceMapper
+from gatun.vtk import vtkGatunSurfaceMapper
 
 BACKGROUND = (0.1, 0.2, 0.3)
 VIEWS = ((0, 0), (30, 40), (200, -60), (90, 85))

@@ -15,7 +15,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkVolume, vtkVolumeProperty)
 
 import gatunMeshes as gm
-from gatun import vtkGatunRayCaster, vtkGatunReader, vtkGatunVolumeMapper
+from gatun.vtk import vtkGatunRayCaster, vtkGatunReader, vtkGatunVolumeMapper
 
 BACKGROUND = (0.1, 0.2, 0.4)
 WIDTH, HEIGHT = 120, 90  # of pictures without a window

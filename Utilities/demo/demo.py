@@ -16,7 +16,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import part
 import sheet
-from gatun import vtkGatunReader
+from gatun.vtk import vtkGatunReader
 from sheet import new, output_of
 
 LOOK = f"--camera up.json --azimuth 33 --elevation 32 --size {sheet.SCALE * sheet.WIDTH}x{sheet.SCALE * sheet.HEIGHT}"

@@ -61,7 +61,7 @@ def make_mesh(spacing, volume):
     surface = output_of(new(vtk.vtkFlyingEdges3D, ComputeNormals=False, ComputeScalars=False), image)
     # Points move to where triangles are even, but stay on the surface.
     smooth = new(vtk.vtkSmoothPolyDataFilter, SourceData=surface, RelaxationFactor=0.5, NumberOfIterations=25)
-    mesher = new(gatun.vtkGatunTetrahedralize, Quality=1.414, MaximumVolume=volume, PreserveSurface=True)
+    mesher = new(gatun.vtk.vtkGatunTetrahedralize, Quality=1.414, MaximumVolume=volume, PreserveSurface=True)
     return output_of(mesher, output_of(smooth, surface))
 
 

@@ -6,7 +6,7 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 import gatun
 
 sphere = vtkSphereSource()
-mesher = gatun.vtkGatunTetrahedralize()
+mesher = gatun.vtk.vtkGatunTetrahedralize()
 mesher.SetMaximumVolume(0.001)
 mesher.SetInputConnection(sphere.GetOutputPort())
 mesher.Update()
@@ -21,4 +21,4 @@ assert np.array_equal(back.cells_dict["tetra"], made.cells_dict["tetra"])
 assert np.array_equal(back.point_data["height"], values["height"])
 image = gatun.render("mesh.gtn", size=(320, 240))
 assert image.shape == (240, 320, 4) and image.max() > image.min()
-print("the same:", len(made.cells_dict["tetra"]), "tetrahedra, by", gatun.vtkGatunIO.__file__)
+print("the same:", len(made.cells_dict["tetra"]), "tetrahedra, by", gatun.vtk.vtkGatunIO.__file__)
