@@ -10,6 +10,7 @@
 #include "gatunError.h"
 #include "gatunPointRounding.h"
 #include "gatunReport.h"
+#include "gatunRoundedGrid.h"
 #include "gatunSurfaceGrid.h"
 #include "gatunWriterArrays.h"
 #include "vtkGatunCompat.h"
@@ -100,7 +101,7 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkGatunWriter::vtkInternals::MakeGrid(vtkD
   {
     this->Warn(warning);
   }
-  return gatun::RoundPoints(
+  return gatun::RoundGrid(
     cells.Grid, this->GetPointBound(), this->PieceCount == 1, this->PointError);
 }
 

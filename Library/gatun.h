@@ -410,7 +410,11 @@ extern "C"
     size_t color_count;
     const double* opacities; /**< value, opacity over the unit distance; null: from the histogram */
     size_t opacity_count;
+    double
+      opacity_scale; /**< a factor for the opacities of the histogram, which are at most 1; 0: 1
+                      */
     double unit_distance; /**< 0: a hundredth of the diagonal of the bounds */
+    int32_t shade;        /**< a light at the camera shades surfaces of equal values */
 
     /** The camera. If position and focal_point are equal, the mesh is seen along the direction,
      * just fitting into the image. */
@@ -484,6 +488,9 @@ extern "C"
     uint32_t layer_array;
     int32_t layer_component;
     uint32_t layer_count; /**< 0: by the size of the mesh */
+    uint32_t parts;       /**< about how many there are, for the sizes of chunks; 0: 1 */
+    const char* error; /**< as gatun_array::error, of all arrays of floating-point numbers without
+                          one of their own; ids and vtkGhostType stay exact */
   } gatun_options;
 
   /** Begins a file of one mesh. The file appears at its path with gatun_finish; until then, an
@@ -492,16 +499,16 @@ extern "C"
     const gatun_array* arrays, size_t array_count, const gatun_options* options,
     gatun_progress progress, void* user, gatun_writer** writer);
 
-  /** Adds steps to a file that has time: gatun_add_mesh, then its steps. Times come after those of
-   * the file. What is in the file already, as the same mesh, is stored once. */
-  GATUN_API gatun_status gatun_append(const char* path, gatun_writer** writer);
-
-  /** Adds a mesh for the next steps, with the arrays and options of the first one. */
-  GATUN_API gatun_status gatun_add_mesh(gatun_writer* writer, const gatun_mesh* mesh,
-    gatun_progress progress, void* user, uint32_t* number);
-
-  /** Selects the mesh of the next steps: the last or the first one. */
-  GATUN_API gatun_status gatun_use_mesh(gatun_writer* writer, uint32_t number);
+  /**
+   * Adds steps to a file that has time: gatun_add_mesh, then its steps. Times come after those of
+   * the file. What is in the file already, as the same mesh, is stored once.
+   *
+   * arrays: those of the file, in its order, with the errors and weights of the new steps; null:
+   * all are exact. options: may be null; the kept order, the profile, the chunk size and the key
+   * steps are those of the file.
+   */
+  GATUN_API gatun_status gatun_append(const char* path, const gatun_array* arrays,
+    size_t array_count, const gatun_options* options, gatun_writer** writer);
 
   typedef struct gatun_values
   {
@@ -522,6 +529,40 @@ extern "C"
     const uint64_t* remaining_points;
     uint64_t remaining_point_count;
   } gatun_values;
+
+  /** Adds a mesh for the next steps, with the arrays and options of the first one. first: the
+   * values of its first step, for a hierarchy or layers; null otherwise. number: may be null. */
+  GATUN_API gatun_status gatun_add_mesh(gatun_writer* writer, const gatun_mesh* mesh,
+    const gatun_values* first, gatun_progress progress, void* user, uint32_t* number);
+
+  /** Selects the mesh of the next steps: the last or the first one. */
+  GATUN_API gatun_status gatun_use_mesh(gatun_writer* writer, uint32_t number);
+
+  typedef struct gatun_remaining
+  {
+    size_t size;
+    int32_t is_part;      /**< whether a mesh is what remains of another one; or else all is 0 */
+    int32_t drops_points; /**< as in gatun_values */
+    int32_t points_moved; /**< all points remain, and some are elsewhere */
+  } gatun_remaining;
+
+  /** Finds out whether a mesh is what remains of another one, for gatun_values: at least half of
+   * its cells, in the same order and none a polyhedron, with all of its points or only theirs.
+   * cells, points: uint64 for each cell and point of part, which get the numbers. */
+  GATUN_API gatun_status gatun_find_remaining(const gatun_mesh* mesh, const gatun_mesh* part,
+    const gatun_buffer* cells, const gatun_buffer* points, gatun_remaining* found);
+
+  /**
+   * Rounds the coordinates of a mesh, before it is written, so that its file becomes smaller.
+   * Coordinates that are not finite stay. No cell turns over: places where one would have smaller
+   * steps. If that is more than 1 % of the points, the error text suggests another bound.
+   *
+   * error: "abs:E", "rel:E" (of the longest side of the bounds) or "bits:N", 1 to 31 (of the same).
+   * is_part: the mesh is one of several parts, which need an absolute bound. rounded: as many
+   * coordinates as the mesh has. largest: the largest difference; may be null.
+   */
+  GATUN_API gatun_status gatun_round_points(const gatun_mesh* mesh, const char* error,
+    int32_t is_part, const gatun_buffer* rounded, double* largest);
 
   /** Writes a step. A mesh without time has one. */
   GATUN_API gatun_status gatun_write_step(
@@ -596,8 +637,11 @@ extern "C"
   GATUN_API gatun_status gatun_verify_volume(
     gatun_volume* volume, gatun_progress progress, void* user);
 
-  /** Writes a volume. values: the voxels, x fastest. block_size: 0 is 8. written: may be null; its
-   * errors and file_bytes are set. */
+/** The volume is one block. */
+#define GATUN_ONE_BLOCK UINT32_MAX
+
+  /** Writes a volume. values: the voxels, x fastest. block_size: 2 to 64 voxels along each axis, or
+   * GATUN_ONE_BLOCK; 0 is 8. written: may be null; its errors and file_bytes are set. */
   GATUN_API gatun_status gatun_write_volume(const char* path, const gatun_volume_info* volume,
     const gatun_buffer* values, uint32_t block_size, gatun_rate rate, double rate_value,
     gatun_progress progress, void* user, gatun_volume_info* written);

@@ -122,6 +122,19 @@ struct Camera
     return { row(this->View.Right), row(this->View.Up), row(this->View.Back) };
   }
 
+  /** Of a light at the camera. */
+  RayShading GetShading() const
+  {
+    const auto& back = this->View.Back;
+    const std::array<double, 4> backward{ back[0], back[1], back[2], 0 };
+    RayShading shading;
+    shading.Lights.push_back({ backward });
+    shading.Eye = this->View.IsParallel
+      ? backward
+      : std::array<double, 4>{ this->Eye[0], this->Eye[1], this->Eye[2], 1 };
+    return shading;
+  }
+
   RayFrustum GetFrustum() const
   {
     RayFrustum frustum;
@@ -184,19 +197,21 @@ public:
     }
     if (this->Opacities.empty())
     {
+      const double scale = image.opacity_scale != 0 ? image.opacity_scale : 1;
+      Need(scale > 0 && std::isfinite(scale), "the scale of opacities is not above 0");
       if (image.blend == GATUN_COMPOSITE)
       {
         for (const auto& node : defaults->Opacities)
         {
-          this->Opacities.push_back({ node.Value, node.Opacity });
+          this->Opacities.push_back({ node.Value, std::min(scale * node.Opacity, 1.) });
         }
       }
       else
       {
         for (const auto& node : GetDefaultRamp())
         {
-          this->Opacities.push_back(
-            { range.Min + node.Value * (range.Max - range.Min), node.Opacity });
+          this->Opacities.push_back({ range.Min + node.Value * (range.Max - range.Min),
+            std::min(scale * node.Opacity, 1.) });
         }
       }
     }
@@ -274,7 +289,12 @@ void Render(gatun_file& file, const gatun_image& image, float* rgba,
   const RayView view(camera.GetToEye(), camera.GetFrustum(), static_cast<int>(image.width),
     static_cast<int>(image.height), sample);
   const Transfer transfer(image, unit, *blocks, range);
-  RayCaster caster(view, transfer.MakeTable(TakeMode(image.blend), sample, unit));
+  RaySettings settings;
+  if (image.shade)
+  {
+    settings.Shading = camera.GetShading();
+  }
+  RayCaster caster(view, transfer.MakeTable(TakeMode(image.blend), sample, unit), {}, settings);
   caster.Draw(*blocks, progress);
   caster.Finish(rgba);
 }

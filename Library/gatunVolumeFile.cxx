@@ -188,7 +188,10 @@ gatun_status gatun_write_volume(const char* path, const gatun_volume_info* volum
       NeedPointers(path, volume, values);
       Need(rate >= GATUN_QUALITY && rate <= GATUN_BITS_PER_VOXEL, "there is no such rate control");
       HartleyWriterOptions options;
-      options.BlockSize = block_size > 0 ? block_size : options.BlockSize;
+      if (block_size > 0)
+      {
+        options.BlockSize = block_size == GATUN_ONE_BLOCK ? 0 : block_size;
+      }
       options.RateControl.Mode = static_cast<HartleyRateMode>(rate);
       options.RateControl.Value = rate_value;
       const auto done = WriteHartleyFile(

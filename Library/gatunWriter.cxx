@@ -1,19 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gatunBorder.h"
+#include "gatunWriterInput.h"
 
-#include "gatunErrorBound.h"
 #include "gatunFileWriter.h"
-#include "gatunMeshMerges.h"
 #include "gatunPartWriter.h"
 
-#include <algorithm>
-#include <map>
-#include <optional>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 using namespace gatun;
 
@@ -23,13 +20,49 @@ struct gatun_writer
   std::unique_ptr<FileWriter> File; // of whole meshes
   std::unique_ptr<PartWriter> Parts;
   std::vector<std::unique_ptr<const MergeTree>> Trees; // of the meshes
-  std::vector<ArrayDescription> Arrays;
+  TakenArrays Arrays;
   WriterOptions Options;
+  bool HasHierarchy = false;
   MeshInput Mesh; // of the next steps
   MeshInput First;
   MeshInput Last;
   bool HasMesh = false; // there is none at first when a file is appended to
   bool HasFailed = false;
+
+  /** Lets the next steps have a mesh that has been added. */
+  void SetMesh(const MeshInput& mesh)
+  {
+    this->Mesh = this->Last = mesh;
+    this->HasMesh = true;
+  }
+
+  /** The options of a mesh. values: of the arrays at its first step, null where there are none. */
+  WriterOptions MakeOptions(const MeshInput& mesh, bool isSurface,
+    std::span<const void* const> values, const FileWriter::Progress& progress)
+  {
+    auto options = this->Options;
+    options.IsSurface = isSurface;
+    if (options.Layers)
+    {
+      options.Layers->Values = values[options.Layers->Array];
+      Need(mesh.Points == 0 || options.Layers->Values, "the array of the layers has no values");
+    }
+    if (this->HasHierarchy)
+    {
+      options.Tree = this->Trees
+                       .emplace_back(std::make_unique<const MergeTree>(
+                         this->Arrays.BuildTree(mesh, isSurface, values, progress)))
+                       .get();
+    }
+    return options;
+  }
+
+  void TakeAll(TakenArrays arrays, const gatun_options& options)
+  {
+    this->Arrays = std::move(arrays);
+    this->Options = TakeOptions(options, this->Arrays);
+    this->HasHierarchy = options.hierarchy != 0 || options.levels > 0;
+  }
 
   /** Does a part of the work, unless something has failed before. */
   template <typename Work>
@@ -42,204 +75,6 @@ struct gatun_writer
   }
 };
 
-namespace
-{
-MeshInput TakeMesh(const gatun_mesh& from)
-{
-  MeshInput mesh;
-  mesh.Points = from.points;
-  mesh.CoordinateType = TakeType(from.coordinate_type);
-  Need(IsFloating(mesh.CoordinateType), "coordinates have to be float32 or float64");
-  mesh.Coordinates = from.coordinates;
-  mesh.Cells = from.cells;
-  mesh.Connectivity = from.connectivity;
-  mesh.WideIds = from.wide_ids != 0;
-  mesh.Types = from.types;
-  mesh.Offsets = from.offsets;
-  mesh.FaceLocations = from.face_locations;
-  mesh.Faces = from.faces;
-  mesh.FacesSize = from.faces_size;
-  Need(mesh.Points == 0 || mesh.Coordinates, "the mesh has no coordinates");
-  Need(mesh.Cells == 0 || mesh.Connectivity, "the mesh has no connectivity");
-  Need(!mesh.Types == !mesh.Offsets, "types and offsets come together");
-  Need(!mesh.FaceLocations == !mesh.Faces, "faces and their locations come together");
-  if (from.point_array)
-  {
-    const auto array = Take(from.point_array);
-    if (array.name)
-    {
-      mesh.PointArray.Name = array.name;
-    }
-    mesh.PointArray.ComponentNames = TakeTexts(array.component_names, 3);
-    mesh.PointArray.Keys = TakeKeys(array.keys, array.key_count);
-  }
-  return mesh;
-}
-
-/** Descriptions of arrays with what else a writer is told of them. */
-struct TakenArrays
-{
-  TakenArrays(const gatun_array* arrays, std::size_t count)
-  {
-    Need(arrays || count == 0, "the descriptions of the arrays are missing");
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const auto& from = this->Sources.emplace_back(TakeElement(arrays, i));
-      this->List.push_back(TakeArray(from));
-    }
-    this->AddErrors();
-  }
-
-  /** The core knows bounds by the names of arrays, which may repeat, and "*" for all. */
-  void AddErrors()
-  {
-    std::map<std::string, std::string> bounds;
-    for (std::size_t i = 0; i < this->List.size(); ++i)
-    {
-      const std::string bound = this->Sources[i].error ? this->Sources[i].error : "";
-      const auto& name = this->List[i].Name;
-      const auto [found, isNew] = bounds.emplace(name, bound);
-      Need(found->second == bound, "arrays of the same name have different bounds of errors");
-      if (isNew && !bound.empty())
-      {
-        Need(name != "*", "an array with the name '*' has to be exact");
-        this->Errors.push_back(ParseError(name + "=" + bound));
-      }
-    }
-  }
-
-  /** Adds the fields that a hierarchy preserves: see gatun_array::weight. */
-  void AddFields(MeshMerges& merges) const
-  {
-    const auto isField = [&](std::size_t i)
-    { return this->List[i].Where == Association::Point && this->Sources[i].values; };
-    const auto add = [&](auto&& weigh)
-    {
-      bool any = false;
-      for (std::size_t i = 0; i < this->List.size(); ++i)
-      {
-        if (const double weight = weigh(i); weight > 0)
-        {
-          Need(isField(i), "an array with a weight in the hierarchy has no values of points");
-          merges.AddArray(
-            this->List[i].Type, this->Sources[i].values, this->List[i].Components, weight);
-          any = true;
-        }
-      }
-      return any;
-    };
-    constexpr std::uint32_t scalars = 1;
-    if (!add([&](std::size_t i) { return this->Sources[i].weight; }) &&
-      !add([&](std::size_t i)
-        { return isField(i) && (this->List[i].AttributeRoles & scalars) ? 1. : 0.; }))
-    {
-      add([&](std::size_t i) { return isField(i) ? 1. : 0.; });
-    }
-  }
-
-  std::vector<gatun_array> Sources;
-  std::vector<ArrayDescription> List;
-  std::vector<ArrayError> Errors;
-};
-
-WriterOptions TakeOptions(const gatun_options& from, const TakenArrays& arrays)
-{
-  Need((from.keep_order & ~std::uint32_t{ KeepAll }) == 0, "there is no such order to keep");
-  Need(from.profile == GATUN_FAST || from.profile == GATUN_SMALL, "there is no such profile");
-  Need(from.layers >= GATUN_NO_LAYERS && from.layers <= GATUN_HISTOGRAM,
-    "there is no such spacing of layers");
-  WriterOptions options;
-  options.Keep = static_cast<std::uint8_t>(from.keep_order);
-  options.Coding = from.profile == GATUN_SMALL ? Profile::Small : Profile::Fast;
-  options.ChunkSize = from.chunk_size;
-  options.KeyStepInterval =
-    from.key_step_interval > 0 ? from.key_step_interval : options.KeyStepInterval;
-  options.PointsMove = from.points_move != 0;
-  options.Boundary = from.boundary != 0;
-  options.Levels = from.levels;
-  options.Dependencies = from.dependencies != 0;
-  options.Errors = arrays.Errors;
-  if (from.layers != GATUN_NO_LAYERS)
-  {
-    Need(from.layer_array < arrays.List.size(), "there is no array for the layers");
-    options.Layers = LayerRequest{ from.layer_array, from.layer_component, from.layer_count,
-      static_cast<LayerSpacing>(from.layers), arrays.Sources[from.layer_array].values };
-    Need(options.Layers->Values != nullptr, "the array of the layers has no values");
-  }
-  return options;
-}
-
-FieldData TakeFields(const gatun_field* fields, std::size_t count)
-{
-  FieldData data;
-  Need(fields || count == 0, "the field data are missing");
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const auto from = TakeElement(fields, i);
-    NeedPointers(from.name);
-    FieldArray field;
-    field.Name = from.name;
-    field.VTKType = from.vtk_type;
-    field.Components = std::max(from.components, 1u);
-    field.ComponentNames = TakeTexts(from.component_names, field.Components);
-    field.Keys = TakeKeys(from.keys, from.key_count);
-    field.IsText = from.texts != nullptr;
-    Need(field.IsText || from.values || from.count == 0, "a field array has no values");
-    for (std::uint64_t k = 0; field.IsText && k < from.count; ++k)
-    {
-      const char* const text = from.texts[k] ? from.texts[k] : "";
-      field.Texts.emplace_back(
-        text, from.text_bytes ? static_cast<std::size_t>(from.text_bytes[k]) : std::strlen(text));
-    }
-    if (!field.IsText)
-    {
-      field.Type = TakeType(from.type);
-      const auto* const bytes = static_cast<const std::uint8_t*>(from.values);
-      field.Values.assign(bytes, bytes + Product(from.count, SizeOf(field.Type)));
-    }
-    data.push_back(std::move(field));
-  }
-  return data;
-}
-
-/** The arrays of a step, for so many points and cells. */
-std::vector<const void*> TakeValues(const gatun_values& from,
-  const std::vector<ArrayDescription>& arrays, std::uint64_t points, std::uint64_t cells)
-{
-  Need(from.array_count == arrays.size(), "the step has not as many arrays as the file");
-  Need(from.arrays || arrays.empty(), "the values of the arrays are missing");
-  std::vector<const void*> values;
-  for (std::size_t i = 0; i < arrays.size(); ++i)
-  {
-    const auto& array = arrays[i];
-    const auto tuples = array.Where == Association::Point ? points : cells;
-    const auto bytes = Product(tuples, Product(array.Components, SizeOf(array.Type)));
-    if (from.arrays[i].bytes != bytes || (bytes > 0 && !from.arrays[i].data))
-    {
-      ThrowInvalid("array '" + array.Name + "' has " + std::to_string(from.arrays[i].bytes) +
-        " bytes of values, and needs " + std::to_string(bytes));
-    }
-    values.push_back(from.arrays[i].data);
-  }
-  return values;
-}
-
-RemainingCells TakeRemaining(const gatun_values& from)
-{
-  RemainingCells remaining;
-  remaining.Cells = { from.remaining_cells, static_cast<std::size_t>(from.remaining_cell_count) };
-  remaining.DropsPoints = from.drops_points != 0;
-  if (remaining.DropsPoints)
-  {
-    Need(from.remaining_points || from.remaining_point_count == 0,
-      "the numbers of the remaining points are missing");
-    remaining.Points = { from.remaining_points,
-      static_cast<std::size_t>(from.remaining_point_count) };
-  }
-  return remaining;
-}
-}
-
 //------------------------------------------------------------------------------
 gatun_status gatun_create(const char* path, const gatun_mesh* mesh, const gatun_array* arrays,
   size_t array_count, const gatun_options* options, gatun_progress progress, void* user,
@@ -250,32 +85,21 @@ gatun_status gatun_create(const char* path, const gatun_mesh* mesh, const gatun_
     {
       NeedPointers(path, mesh, writer);
       const auto form = Take(mesh);
-      const auto wish = Take(options);
-      const TakenArrays taken(arrays, array_count);
       auto made = std::make_unique<gatun_writer>();
-      made->Mesh = TakeMesh(form);
-      made->Arrays = taken.List;
-      made->Options = TakeOptions(wish, taken);
-      made->Options.IsSurface = form.is_surface != 0;
+      made->TakeAll(TakenArrays(arrays, array_count), Take(options));
+      made->First = TakeMesh(form);
       const auto report = WrapProgress(progress, user);
-      if (wish.hierarchy || wish.levels > 0)
-      {
-        MeshMerges merges(made->Mesh);
-        taken.AddFields(merges);
-        made->Trees.push_back(std::make_unique<const MergeTree>(made->Options.IsSurface
-            ? merges.BuildSurface(made->Mesh, {}, report)
-            : merges.Build(made->Mesh, {}, report)));
-        made->Options.Tree = made->Trees.back().get();
-      }
+      const auto own =
+        made->MakeOptions(made->First, form.is_surface != 0, made->Arrays.GetValues(), report);
       made->File =
-        std::make_unique<FileWriter>(path, made->Mesh, made->Arrays, made->Options, report);
-      made->First = made->Last = made->Mesh;
-      made->HasMesh = true;
+        std::make_unique<FileWriter>(path, made->First, made->Arrays.GetList(), own, report);
+      made->SetMesh(made->First);
       *writer = made.release();
     });
 }
 
-gatun_status gatun_append(const char* path, gatun_writer** writer)
+gatun_status gatun_append(const char* path, const gatun_array* arrays, size_t array_count,
+  const gatun_options* options, gatun_writer** writer)
 {
   return Guard(
     [&]
@@ -283,13 +107,15 @@ gatun_status gatun_append(const char* path, gatun_writer** writer)
       NeedPointers(path, writer);
       auto made = std::make_unique<gatun_writer>();
       made->File = std::make_unique<FileWriter>(FileWriter::Append(), path);
-      made->Arrays = made->File->GetArrays();
+      TakenArrays taken(arrays, array_count);
+      taken.SetList(made->File->GetArrays());
+      made->TakeAll(std::move(taken), Take(options));
       *writer = made.release();
     });
 }
 
-gatun_status gatun_add_mesh(gatun_writer* writer, const gatun_mesh* mesh, gatun_progress progress,
-  void* user, uint32_t* number)
+gatun_status gatun_add_mesh(gatun_writer* writer, const gatun_mesh* mesh, const gatun_values* first,
+  gatun_progress progress, void* user, uint32_t* number)
 {
   return Guard(
     [&]
@@ -299,13 +125,15 @@ gatun_status gatun_add_mesh(gatun_writer* writer, const gatun_mesh* mesh, gatun_
       writer->Do(
         [&]
         {
-          writer->Mesh = TakeMesh(Take(mesh));
-          auto options = writer->Options;
-          options.Tree = nullptr;
-          const auto added =
-            writer->File->AddMesh(writer->Mesh, options, WrapProgress(progress, user));
-          writer->Last = writer->Mesh;
-          writer->HasMesh = true;
+          const auto form = Take(mesh);
+          const auto input = TakeMesh(form);
+          const auto& arrays = writer->Arrays.GetList();
+          const auto values = first ? TakeValues(Take(first), arrays, input.Points, input.Cells)
+                                    : std::vector<const void*>(arrays.size());
+          const auto report = WrapProgress(progress, user);
+          const auto options = writer->MakeOptions(input, form.is_surface != 0, values, report);
+          const auto added = writer->File->AddMesh(input, options, report);
+          writer->SetMesh(input);
           if (number)
           {
             *number = added;
@@ -348,7 +176,7 @@ gatun_status gatun_write_step(
           const auto remaining = isWhole ? RemainingCells() : TakeRemaining(from);
           const auto points = remaining.DropsPoints ? remaining.Points.size() : writer->Mesh.Points;
           const auto cells = isWhole ? writer->Mesh.Cells : remaining.Cells.size();
-          const auto list = TakeValues(from, writer->Arrays, points, cells);
+          const auto list = TakeValues(from, writer->Arrays.GetList(), points, cells);
           const auto fields = TakeFields(from.fields, from.field_count);
           const auto report = WrapProgress(progress, user);
           if (writer->Parts)
@@ -429,12 +257,11 @@ gatun_status gatun_create_parts(const char* path, const gatun_array* arrays, siz
       const auto wish = Take(options);
       Need(!wish.hierarchy && wish.levels == 0 && wish.layers == GATUN_NO_LAYERS,
         "hierarchies and layers need the whole mesh, and cannot be written in parts");
-      const TakenArrays taken(arrays, array_count);
       auto made = std::make_unique<gatun_writer>();
-      made->Arrays = taken.List;
+      made->TakeAll(TakenArrays(arrays, array_count), wish);
       PartWriterOptions own;
-      own.File = TakeOptions(wish, taken);
-      made->Parts = std::make_unique<PartWriter>(path, made->Arrays, own);
+      own.File = made->Options;
+      made->Parts = std::make_unique<PartWriter>(path, made->Arrays.GetList(), own);
       *writer = made.release();
     });
 }
@@ -457,8 +284,8 @@ gatun_status gatun_survey_step(gatun_writer* writer, const gatun_values* values)
       writer->Do(
         [&]
         {
-          writer->Parts->SurveyStep(
-            TakeValues(Take(values), writer->Arrays, writer->Mesh.Points, writer->Mesh.Cells));
+          writer->Parts->SurveyStep(TakeValues(
+            Take(values), writer->Arrays.GetList(), writer->Mesh.Points, writer->Mesh.Cells));
         });
     });
 }

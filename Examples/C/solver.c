@@ -153,8 +153,8 @@ int main(int argc, char* argv[])
     }
     else
     {
-      stop_unless(gatun_append(argv[1], &writer));
-      stop_unless(gatun_add_mesh(writer, &mesh, NULL, NULL, NULL));
+      stop_unless(gatun_append(argv[1], NULL, 0, NULL, &writer));
+      stop_unless(gatun_add_mesh(writer, &mesh, NULL, NULL, NULL, NULL));
     }
     write_step(writer, 0.1 * step);
     stop_unless(gatun_finish(writer, NULL));

@@ -64,6 +64,8 @@ module gatun
     integer(c_int32_t) :: layer_array = 0
     integer(c_int32_t) :: layer_component = 0
     integer(c_int32_t) :: layer_count = 0
+    integer(c_int32_t) :: parts = 0
+    type(c_ptr) :: error = c_null_ptr
   end type
 
   type, bind(c) :: gatun_values
@@ -97,18 +99,24 @@ module gatun
       integer(c_int) :: status
     end function
 
-    function gatun_append(path, writer) bind(c) result(status)
+    !> arrays, options: c_null_ptr, or as for gatun_create.
+    function gatun_append(path, arrays, array_count, options, writer) bind(c) result(status)
       import
       character(kind=c_char), intent(in) :: path(*)
+      type(c_ptr), value :: arrays
+      integer(c_size_t), value :: array_count
+      type(c_ptr), value :: options
       type(c_ptr), intent(out) :: writer
       integer(c_int) :: status
     end function
 
-    !> number: c_null_ptr, or where the number of the mesh goes.
-    function gatun_add_mesh(writer, mesh, progress, user, number) bind(c) result(status)
+    !> first: c_null_ptr, or the values of the first step. number: c_null_ptr, or where the number
+    !> of the mesh goes.
+    function gatun_add_mesh(writer, mesh, first, progress, user, number) bind(c) result(status)
       import
       type(c_ptr), value :: writer
       type(gatun_mesh), intent(in) :: mesh
+      type(c_ptr), value :: first
       type(c_funptr), value :: progress
       type(c_ptr), value :: user
       type(c_ptr), value :: number

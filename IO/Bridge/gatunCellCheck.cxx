@@ -4,8 +4,8 @@
 #include "gatunCellCheck.h"
 
 #include "gatunCellArrays.h"
-#include "gatunCellShapes.h"
 #include "gatunError.h"
+#include "gatunMeshCheck.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -17,6 +17,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 
 namespace
@@ -117,22 +118,9 @@ void CheckGrid(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-void CheckCellSize(vtkIdType cell, int type, vtkIdType size)
-{
-  const CellKind kind = GetCellKind(type);
-  const vtkIdType least = kind.Points > 0 ? kind.Points : kind.Shape ? kind.Shape->Corners : 0;
-  if (size < least || (kind.Points > 0 && size > least))
-  {
-    ThrowInvalid("cell " + std::to_string(cell) + " (type " + std::to_string(type) + ", " +
-      GetCellTypeName(type) + ") has " + std::to_string(size) + " points, not " +
-      std::to_string(least) + (kind.Points > 0 ? "" : " or more"));
-  }
-}
-
-//------------------------------------------------------------------------------
 void CheckCell(vtkIdType cell, int type, vtkIdType size, const vtkIdType* ids, vtkIdType points)
 {
-  CheckCellSize(cell, type, size);
+  CheckCellSize(static_cast<std::uint64_t>(cell), type, static_cast<std::uint64_t>(size));
   for (vtkIdType i = 0; i < size; ++i)
   {
     if (ids[i] < 0 || ids[i] >= points)

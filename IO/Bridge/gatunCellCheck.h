@@ -33,9 +33,6 @@ VTKGATUNIO_EXPORT void CheckPointIds(vtkCellArray* cells, vtkIdType points);
  * point or cell. */
 void CheckGrid(vtkUnstructuredGrid* grid);
 
-/** A cell must have as many points as its type needs. */
-VTKGATUNIO_EXPORT void CheckCellSize(vtkIdType cell, int type, vtkIdType size);
-
 /** A cell must have as many points as its type needs, with ids that exist. */
 void CheckCell(vtkIdType cell, int type, vtkIdType size, const vtkIdType* ids, vtkIdType points);
 

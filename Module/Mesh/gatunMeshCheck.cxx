@@ -4,6 +4,7 @@
 #include "gatunMeshCheck.h"
 
 #include "gatunCellCodec.h"
+#include "gatunCellShapes.h"
 #include "gatunError.h"
 #include "gatunParallel.h"
 
@@ -149,5 +150,28 @@ void CheckCells(const MeshAccess& mesh)
         checker.Check(cell);
       }
     });
+}
+
+//------------------------------------------------------------------------------
+void CheckCellSize(std::uint64_t cell, int type, std::uint64_t size)
+{
+  const CellKind kind = GetCellKind(type);
+  const std::uint64_t least = kind.Points > 0 ? kind.Points : kind.Shape ? kind.Shape->Corners : 0;
+  if (size < least || (kind.Points > 0 && size > least))
+  {
+    ThrowCell(cell,
+      "(type " + std::to_string(type) + ", " + GetCellTypeName(type) + ") has " +
+        std::to_string(size) + " points, not " + std::to_string(least) +
+        (kind.Points > 0 ? "" : " or more"));
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckCellSizes(const MeshAccess& mesh)
+{
+  for (std::uint64_t cell = 0; !mesh.IsTetrahedral() && cell < mesh.GetMesh().Cells; ++cell)
+  {
+    CheckCellSize(cell, mesh.GetType(cell), mesh.GetEnd(cell) - mesh.GetBegin(cell));
+  }
 }
 }

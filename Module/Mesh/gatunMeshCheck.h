@@ -16,6 +16,12 @@ namespace gatun
  * there are more points or cells than 32 bits can number, or a cell is larger than a chunk can be.
  */
 GATUN_EXPORT void CheckCells(const MeshAccess& mesh);
+
+/** Throws Error(InvalidInput) unless a cell has as many points as its type needs. */
+GATUN_EXPORT void CheckCellSize(std::uint64_t cell, int type, std::uint64_t size);
+
+/** The same for all cells. */
+GATUN_EXPORT void CheckCellSizes(const MeshAccess& mesh);
 }
 
 #endif

@@ -26,18 +26,21 @@ gatun_core_folder(Write
     gatunDependencySection.h
     gatunFileWriterInternals.h
     gatunMeshSection.h
+    gatunOrientation.h
     gatunPageSection.h
     gatunPartAgreement.h
     gatunPartAssembly.h
     gatunPartBoundary.h
     gatunPartSurvey.h
     gatunPointNumbers.h
+    gatunPointRounding.h
     gatunRoundedArrays.h
     gatunBoundaryMerge.h
     gatunSpillSorter.h
     gatunStepSection.h
     gatunTreeLayout.h
     gatunTreeSection.h
+    gatunTurnedCells.h
     gatunWriterCheck.h
     gatunWriterPart.h
     gatunWriterState.h
@@ -51,6 +54,7 @@ gatun_core_folder(Write
     gatunFileWriterSeries.cxx
     gatunMeshMerges.cxx
     gatunMeshSection.cxx
+    gatunOrientation.cxx
     gatunPartAgreement.cxx
     gatunPartAssembly.cxx
     gatunPartExchange.cxx
@@ -58,6 +62,7 @@ gatun_core_folder(Write
     gatunPartSurvey.cxx
     gatunPartWriter.cxx
     gatunPointNumbers.cxx
+    gatunPointRounding.cxx
     gatunRoundedArrays.cxx
     gatunBoundaryMerge.cxx
     gatunStepMotion.cxx
@@ -65,6 +70,7 @@ gatun_core_folder(Write
     gatunStepSection.cxx
     gatunTreeLayout.cxx
     gatunTreeSection.cxx
+    gatunTurnedCells.cxx
     gatunWriterCheck.cxx
     gatunWriterPart.cxx
     gatunWriterState.cxx)

@@ -6,8 +6,8 @@
 #include "gtnFailure.h"
 #include "gtnSpoolCursor.h"
 
-#include "gatunCellCheck.h"
 #include "gatunKeepMemory.h"
+#include "gatunMeshCheck.h"
 #include "gatunParallel.h"
 
 #include "vtkAbstractArray.h"
@@ -283,7 +283,7 @@ void SpooledMesh::WeighCells(PieceRouter& router, Work& work)
     std::size_t at = 0;
     for (std::size_t i = 0; i < cells.Types.size(); ++i)
     {
-      gatun::CheckCellSize(static_cast<vtkIdType>(begin + i), cells.Types[i], cells.Sizes[i]);
+      gatun::CheckCellSize(begin + i, cells.Types[i], cells.Sizes[i]);
       router.Weigh(
         points.subspan(at, cells.Sizes[i]), cells.FaceSizes.empty() ? 0 : cells.FaceSizes[i]);
       at += cells.Sizes[i];

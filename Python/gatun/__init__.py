@@ -14,7 +14,7 @@ These need VTK. Files are read and written as NumPy arrays without it, also from
 
     >>> with gatun.open("mesh.gtn") as file:
     ...     grid = file.read(step=-1, arrays="pressure")
-    >>> gatun.write_mesh("copy.gtn", grid.points, grid.cells, point_data=grid.point_data)
+    >>> gatun.write(grid, "copy.gtn")
 
 Every class of VTK can be had from the package, too, as in ``from gatun import vtkGatunReader``. A module of
 classes is only loaded once one of its classes is used. Documentation/python.md is the guide.
@@ -34,6 +34,7 @@ _members = {
     "File": "_file",
     "Grid": "_grid",
     "HttpSource": "_http",
+    "Image": "_voxels",
     "InputError": "_exceptions",
     "Mesh": "_cells",
     "NotHere": "_exceptions",
@@ -54,9 +55,7 @@ _members = {
     "to_meshio": "_meshio",
     "to_numpy": "_arrays",
     "write": "_writing",
-    "write_mesh": "_write",
     "write_parts": "_parts",
-    "write_volume": "_volume",
 }
 
 

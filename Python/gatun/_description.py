@@ -12,6 +12,9 @@ import numpy as np
 
 from . import _library as _c
 
+#: Kinds of keys whose numbers are the bits of doubles.
+KINDS_OF_DOUBLES = (2, 7, 9)
+
 
 @dataclasses.dataclass(frozen=True)
 class Array:
@@ -71,9 +74,9 @@ def decode_keys(keys, count):
         if key.texts or not key.numbers:
             values = decode_texts(key.texts, key.count)
         else:
-            # The bits of doubles in kinds 2 and 7, or else of integers.
+            # The bits of doubles, or else of integers.
             bits = np.array(key.numbers[: key.count], np.uint64)
-            values = tuple(bits.view(np.float64 if key.kind in (2, 7) else np.int64).tolist())
+            values = tuple(bits.view(np.float64 if key.kind in KINDS_OF_DOUBLES else np.int64).tolist())
         found.append((_c.decode_text(key.location), _c.decode_text(key.name), key.kind, values))
     return tuple(found)
 

@@ -33,13 +33,17 @@ def _observe(observed, event, messages):
 def _make_error(algorithm, messages, remarks):
     """The exception for the messages of an algorithm, or else for those of its executive."""
     code = algorithm.GetErrorCode() if hasattr(algorithm, "GetErrorCode") else 0
-    codes = get_class("vtkGatunErrorCode")
     # The executive adds that the request has failed.
     messages = messages or remarks
     if code == 0 and not messages:
         return None
     # A message may be repeated by each consumer.
-    text = "\n".join(dict.fromkeys(messages)) or codes.GetStringFromErrorCode(code)
+    text = "\n".join(dict.fromkeys(messages))
+    try:
+        codes = get_class("vtkGatunErrorCode")
+    except ImportError:  # a package without the modules of VTK
+        return Error(text or f"an error of VTK, {code}", code, "")
+    text = text or codes.GetStringFromErrorCode(code)
     kind = InputError if code == codes.InvalidInputError else Error
     return kind(text, code)
 

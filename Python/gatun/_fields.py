@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Arrays of whole meshes, from files and for them."""
+"""Arrays of whole meshes, from files."""
 
 from __future__ import annotations
 
@@ -12,9 +12,6 @@ import numpy as np
 from . import _library as _c
 from ._description import make_key
 from ._library import library
-from ._numbers import as_numbers
-
-_VTK_STRING = 13
 
 
 def _take_numbers(field):
@@ -56,49 +53,3 @@ def read_fields(handle, step):
         return found
     finally:
         library.gatun_free_fields(fields)
-
-
-class Fields:
-    """Field data for the library, with the memory that they refer to.
-
-    Args:
-        data: arrays of numbers, texts or lists of texts by name.
-    """
-
-    def __init__(self, data):
-        self._kept = []
-        made = [self._give(name, values) for name, values in (data or {}).items()]
-        self.list = (_c.Field * len(made))(*made)
-
-    def _give(self, name, values):
-        what = f"field_data {name!r}"
-        # NumPy drops zeros at the ends of texts.
-        array = self._as_texts(values)
-        if array is None:
-            array = np.ascontiguousarray(np.atleast_1d(as_numbers(values, what)))
-        components = int(np.prod(array.shape[1:], dtype=int))
-        field = _c.Field(name=_c.encode_text(name, what), components=components, count=array.size)
-        if array.dtype.kind in "OU":
-            texts = [str(text).encode("utf-8", "surrogateescape") for text in array.flat]
-            buffers = [ctypes.create_string_buffer(text) for text in texts]
-            field.vtk_type = _VTK_STRING
-            field.texts = (ctypes.c_void_p * len(texts))(*map(ctypes.addressof, buffers))
-            field.text_bytes = (ctypes.c_uint64 * len(texts))(*map(len, texts))
-            self._kept += [buffers, field.texts, field.text_bytes]
-        else:
-            field.type = _c.TYPES[array.dtype.name]
-            field.values = array.ctypes.data
-            self._kept.append(array)
-        return field
-
-    @staticmethod
-    def _as_texts(values):
-        """Texts, or lists of them, as an array of objects; None if it is something else."""
-        if isinstance(values, str):
-            values = [values]
-        if not isinstance(values, (list, tuple)):
-            return None
-        flat = [text for row in values for text in (row if isinstance(row, (list, tuple)) else [row])]
-        if not flat or not all(isinstance(text, str) for text in flat):
-            return None
-        return np.array(values, dtype=object)

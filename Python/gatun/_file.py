@@ -438,9 +438,10 @@ class File:
         step: int | None = None,
         time: float | None = None,
         colors: Any = None,
-        opacity: Any = None,
+        opacity: Any = 1.0,
         range: Sequence[float] | None = None,  # pylint: disable=redefined-builtin
         unit_distance: float | None = None,
+        shade: bool = False,
         blend: str = "composite",
         ratio: float = 0.0,
         level: int = 0,
@@ -464,13 +465,14 @@ class File:
             step, time, ratio, level, progress: as for ``read``.
             colors: the name of a color map of Matplotlib or a function like it, or a list of colors,
                 spread over ``range``. Default: one from dark to light.
-            opacity: opacities from 0 to 1, spread over ``range``; pairs of values and opacities; or a
-                function of the value. By default, values that fill most of the volume are nearly
-                transparent, and rare ones are opaque.
+            opacity: a factor for the default opacities; opacities from 0 to 1, spread over ``range``;
+                pairs of values and opacities; or a function of the value. By default, values that fill
+                most of the volume are nearly transparent, and rare ones are opaque.
             range: smallest and largest value of ``colors`` and ``opacity``. Default: those of the array
                 over all time steps.
             unit_distance: the length that opacities refer to, in units of the coordinates. Default: 1/100
                 of the diagonal of the bounds.
+            shade: whether a light at the camera shades surfaces of equal values.
             blend: ``"composite"``, ``"mip"`` (maximum intensity) or ``"xray"``.
             background: red, green and blue from 0 to 1, ``"#RRGGBB"``, ``"black"`` or ``"white"``. Default:
                 none, so that the image is transparent.
@@ -495,7 +497,7 @@ class File:
         view = {"azimuth": azimuth, "elevation": elevation, "roll": roll, "zoom": zoom}
         view.update(direction=direction, up=up, parallel=parallel)
         transfer = {"colors": colors, "opacity": opacity, "range": range, "blend": blend}
-        transfer.update(unit_distance=unit_distance)
+        transfer.update(unit_distance=unit_distance, shade=shade)
         pixels = draw_mesh(
             self, self._handle, size, (number, chosen, index, ratio, level), view, transfer, progress
         )

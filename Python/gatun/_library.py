@@ -206,7 +206,8 @@ Image = _define(
     ("color_count", _SIZE),
     ("opacities", _NUMBERS),
     ("opacity_count", _SIZE),
-    ("unit_distance", _F64),
+    ("opacity_scale unit_distance", _F64),
+    ("shade", _I32),
     ("position focal_point view_up", _F64 * 3),
     ("view_angle parallel_scale", _F64),
     ("direction", _F64 * 3),
@@ -232,8 +233,10 @@ Options = _define(
     ("layers", _ENUM),
     ("layer_array", _U32),
     ("layer_component", _I32),
-    ("layer_count", _U32),
+    ("layer_count parts", _U32),
+    ("error", _TEXT),
 )
+Remaining = _define("Remaining", ("is_part drops_points points_moved", _I32))
 Values = _define(
     "Values",
     ("arrays", ctypes.POINTER(Buffer)),
@@ -282,6 +285,7 @@ STRUCTURES = {
     "gatun_image": Image,
     "gatun_mesh": Mesh,
     "gatun_options": Options,
+    "gatun_remaining": Remaining,
     "gatun_values": Values,
     "gatun_volume_info": VolumeInfo,
 }
@@ -339,9 +343,18 @@ FUNCTIONS = {
         *_CALL,
         _to(_POINTER),
     ),
-    "gatun_append": (_STATUS, _TEXT, _to(_POINTER)),
-    "gatun_add_mesh": (_STATUS, _POINTER, _to(Mesh), *_CALL, _to(_U32)),
+    "gatun_append": (_STATUS, _TEXT, _to(Array), _SIZE, _to(Options), _to(_POINTER)),
+    "gatun_add_mesh": (_STATUS, _POINTER, _to(Mesh), _to(Values), *_CALL, _to(_U32)),
     "gatun_use_mesh": (_STATUS, _POINTER, _U32),
+    "gatun_find_remaining": (
+        _STATUS,
+        _to(Mesh),
+        _to(Mesh),
+        _to(Buffer),
+        _to(Buffer),
+        _to(Remaining),
+    ),
+    "gatun_round_points": (_STATUS, _to(Mesh), _TEXT, _I32, _to(Buffer), _to(_F64)),
     "gatun_write_step": (_STATUS, _POINTER, _to(Values), *_CALL),
     "gatun_finish": (_STATUS, _POINTER, _to(_U64)),
     "gatun_discard": (None, _POINTER),
@@ -450,7 +463,11 @@ def check(status, path=None):
         raise OSError(system_error.value, _shorten(message, system_error.value, path), path)
     if status == NOT_HERE:
         raise NotHere(message, place, length.value)
-    kind = InputError if status == INVALID_INPUT else Error
+    kind = Error
+    if status == INVALID_INPUT:
+        # What is wrong with data does not name the file that they are for.
+        start = "" if path is None else f"{os.fsdecode(path)}: "
+        kind, message = InputError, message if message.startswith(start) else start + message
     raise kind(message, *_CODES.get(status, (20008, "UnknownError")), place)
 
 

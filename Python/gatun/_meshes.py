@@ -6,15 +6,18 @@
 from __future__ import annotations
 
 import ctypes
+import hashlib
 
 import numpy as np
 
 from . import _library as _c
 from ._cells import as_points, join_corners, list_blocks
+from ._description import KINDS_OF_DOUBLES
 from ._numbers import as_numbers
 from ._piece import to_buffer
 
 _TETRA = 10
+_KINDS_OF_TEXTS = (5, 8)  # of keys
 
 
 def _address(array):
@@ -27,6 +30,16 @@ def _as_ids(values, what, dtype=np.int64):
     if array.ndim != 1 or (array.size and array.dtype.kind not in "iu"):
         raise ValueError(f"{what}: has to be an array of integers with one dimension")
     return np.ascontiguousarray(array, dtype)
+
+
+def _hash(*arrays):
+    found = hashlib.blake2b(digest_size=16)
+    for array in arrays:
+        size = 0 if array is None else array.nbytes
+        found.update(size.to_bytes(8, "little"))
+        if size:
+            found.update(memoryview(array).cast("B"))
+    return found.digest()
 
 
 class CellInput:
@@ -54,6 +67,7 @@ class CellInput:
         point_array=None,
     ):
         self.points = np.ascontiguousarray(as_points(points))
+        self.sizes = []  # of the blocks of cells
         self._faces = self._face_locations = None
         if (cells is None) == (connectivity is None):
             raise ValueError("a mesh has either cells, or connectivity, offsets and types")
@@ -62,6 +76,7 @@ class CellInput:
         else:
             self._take_lists(connectivity, offsets, types)
             self._take_faces(faces, face_locations)
+            self._drop_types()
         self.structure = _c.Mesh(
             points=len(self.points),
             cells=self.count,
@@ -82,7 +97,8 @@ class CellInput:
 
     def _take_blocks(self, cells, is_surface):
         blocks = list_blocks(cells)
-        self.count = sum(len(corners) for _, corners in blocks)
+        self.sizes = [len(corners) for _, corners in blocks]
+        self.count = sum(self.sizes)
         ids, ends = join_corners([corners for _, corners in blocks], len(self.points))
         self._connectivity = ids
         self._types = self._offsets = None
@@ -99,10 +115,12 @@ class CellInput:
         integer = np.int32 if np.asarray(connectivity).dtype == np.int32 else np.int64
         self._connectivity = _as_ids(connectivity, "connectivity", integer)
         self._offsets = _as_ids(offsets, "offsets", integer)
-        kinds = _as_ids(types, "types")
+        kinds = types
+        if getattr(types, "dtype", None) != np.uint8:
+            kinds = _as_ids(types, "types")
         if kinds.size and not (kinds.min() >= 0 and kinds.max() <= 255):
             raise ValueError("types: are numbers from 0 to 255")
-        self._types = kinds.astype(np.uint8)
+        self._types = np.ascontiguousarray(kinds, np.uint8)
         self.count = len(self._types)
         if len(self._offsets) != self.count + 1:
             raise ValueError(f"offsets: has {len(self._offsets)} numbers for {self.count} cells")
@@ -110,6 +128,34 @@ class CellInput:
             raise ValueError("offsets: begin at 0, and end in the connectivity")
         if np.any(self._offsets[1:] < self._offsets[:-1]):
             raise ValueError("offsets: have to ascend")
+
+    def _drop_types(self):
+        """Tetrahedra need none."""
+        if np.all(self._types == _TETRA) and np.all(np.diff(self._offsets) == 4):
+            self._types = self._offsets = self._faces = self._face_locations = None
+
+    def set_points(self, points):
+        """Gives the mesh other coordinates, of the same type."""
+        self.points = points
+        self.structure.coordinates = _address(points)
+
+    def has_form_of(self, other):
+        """Whether another mesh has as many points and cells, of the same types of numbers."""
+        names = ("points", "cells", "coordinate_type", "wide_ids")
+        return all(getattr(self.structure, name) == getattr(other.structure, name) for name in names)
+
+    def hash_cells(self):
+        """A fingerprint of the cells."""
+        return _hash(self._connectivity, self._offsets, self._types, self._face_locations, self._faces)
+
+    def hash_points(self):
+        """A fingerprint of the coordinates."""
+        return _hash(self.points)
+
+    def shares_memory(self, other):
+        """Whether another mesh has its points or cells in the same place, where they have changed."""
+        pairs = ((self.points, other.points), (self._connectivity, other._connectivity))
+        return any(one.size and one.ctypes.data == two.ctypes.data for one, two in pairs)
 
     def _take_faces(self, faces, face_locations):
         if (faces is None) != (face_locations is None):
@@ -134,7 +180,7 @@ class _Description:
         self.structure = _c.Array(
             name=_c.encode_text(array.name, what),
             is_cell=array.is_cell,
-            type=_c.TYPES[array.dtype.name],
+            type=_c.TYPES.get(array.dtype.name, 0),  # 0 for field arrays of texts
             components=array.components,
             vtk_type=array.vtk_type,
             roles=array.roles,
@@ -150,12 +196,14 @@ class _Description:
             kind=kind,
             count=len(values),
         )
-        if all(isinstance(value, str) for value in values):
+        if kind in _KINDS_OF_TEXTS:
             key.texts = (ctypes.c_char_p * len(values))(*(_c.encode_text(v, what) for v in values))
             self._kept.append(key.texts)
         else:
-            dtype = np.float64 if kind in (2, 7) else np.int64
-            bits = np.array(values, dtype).view(np.uint64)
+            if kind in KINDS_OF_DOUBLES:
+                bits = np.array(values, np.float64).view(np.uint64)
+            else:
+                bits = np.array([value % (1 << 64) for value in values], np.uint64)
             self._kept.append(bits)
             key.numbers = bits.ctypes.data_as(ctypes.POINTER(ctypes.c_uint64))
         return key
@@ -193,15 +241,16 @@ def take_values(values, what, count, like=None):
 class StepInput:
     """The values of a step for the library."""
 
-    def __init__(self, arrays, fields, time=None, points=None, cells=None, dropped_to=None):
+    def __init__(self, arrays, fields=None, time=None, points=None, cells=None, dropped_to=None):
         self._kept = [arrays, fields, points, cells, dropped_to]
         self._buffers = (_c.Buffer * len(arrays))(*map(to_buffer, arrays))
         self.structure = _c.Values(
             arrays=self._buffers,
             array_count=len(arrays),
-            fields=fields.list,
-            field_count=len(fields.list),
         )
+        if fields is not None:
+            self.structure.fields = fields.list
+            self.structure.field_count = len(fields.list)
         if time is not None:
             self.structure.has_time = 1
             self.structure.time = time

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._arrays import from_numpy, to_numpy
 from ._warnings import warn
 
 if TYPE_CHECKING:
@@ -56,6 +55,16 @@ def from_meshio(mesh: Any) -> vtkUnstructuredGrid:
     Raises:
         ValueError: arrays that do not fit together, or a set with the name of an array.
     """
+    from ._arrays import from_numpy
+
+    point_data, cell_data, field_data = list_arrays(mesh)
+    return from_numpy(
+        mesh.points, mesh.cells, point_data=point_data, cell_data=cell_data, field_data=field_data
+    )
+
+
+def list_arrays(mesh):
+    """The arrays of points, cells and of the whole mesh, and the sets, by name."""
     point_data = dict(mesh.point_data)
     cell_data = dict(mesh.cell_data)
     field_data = dict(getattr(mesh, "field_data", None) or {})
@@ -79,9 +88,7 @@ def from_meshio(mesh: Any) -> vtkUnstructuredGrid:
         warn("gmsh_periodic is left out: a mesh of VTK has nothing for it")
     _add_sets(point_sets, _POINT_SETS, point_data, field_data, mark_points)
     _add_sets(cell_sets, _CELL_SETS, cell_data, field_data, mark_cells)
-    return from_numpy(
-        mesh.points, mesh.cells, point_data=point_data, cell_data=cell_data, field_data=field_data
-    )
+    return point_data, cell_data, field_data
 
 
 def to_meshio(mesh: vtkUnstructuredGrid | vtkPolyData) -> Any:
@@ -92,6 +99,8 @@ def to_meshio(mesh: vtkUnstructuredGrid | vtkPolyData) -> Any:
         ValueError: the mesh has polyhedra.
     """
     import meshio  # an optional package
+
+    from ._arrays import to_numpy
 
     arrays = to_numpy(mesh)
 

@@ -6,38 +6,39 @@
 from __future__ import annotations
 
 import ctypes
+import os
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from ._description import Array
-from ._fields import Fields
-from ._library import Call, check, encode, library
+from ._field_input import Fields
+from ._library import library
 from ._meshes import CellInput, StepInput
+from ._output import Options, Output
 from ._targets import check_target
 from ._types import Path
-from ._write import ArrayList, Progress, make_options, split_steps
+from ._write import ArrayList, Progress
+
+
+def _split_steps(data, count, what):
+    """For each step the arrays of it, of arrays with an entry for each step."""
+    for name, values in (data or {}).items():
+        if len(values) != count:
+            raise ValueError(f"{what} {name!r}: has {len(values)} entries for {count} times")
+    return [{name: values[i] for name, values in (data or {}).items()} for i in range(count)]
+
 
 
 class _PartWriter:
     """Writes parts twice: first they are surveyed, and then they are stored."""
 
-    def __init__(self, path, arrays, options, progress):
-        self._path = path
+    def __init__(self, output, arrays, count, progress):
+        self._output = output
         self._arrays = arrays
-        self._options = options
+        self._count = count
         self._progress = progress
-        self.pointer = ctypes.c_void_p()
-
-    def _create(self):
-        structures, descriptions = self._arrays.describe(None)
-        options = make_options(self._arrays, False, **self._options)
-        status = library.gatun_create_parts(
-            encode(self._path), structures, len(structures), ctypes.byref(options), ctypes.byref(self.pointer)
-        )
-        check(status, self._path)
-        del descriptions
 
     def write(self, part, times, fields, is_survey):
         """Surveys or stores a part with its steps."""
@@ -50,47 +51,31 @@ class _PartWriter:
             face_locations=part.face_locations,
         )
         steps = self._list_steps(part, times, {False: len(mesh.points), True: mesh.count})
-        if not self.pointer:
-            self._create()
+        if not self._output.is_open:
+            self._output.create_parts(self._arrays.list, self._count)
         ids = part.point_ids
         if ids is not None:
             ids = np.ascontiguousarray(ids, np.int64)
             if ids.shape != (len(mesh.points),):
                 raise ValueError("point_ids: has not one number for each point")
-        call = Call(self._progress)
         function = library.gatun_survey_part if is_survey else library.gatun_add_part
         address = None if ids is None else ids.ctypes.data
-        call.check(function(self.pointer, ctypes.byref(mesh.structure), address, *call.arguments), self._path)
+        self._output.call(function, ctypes.byref(mesh.structure), address, progress=self._progress)
         for time, values in steps:
             self._write_step(StepInput(values, Fields(fields), time), is_survey)
 
     def _list_steps(self, part, times, counts):
         if times is None:
             return [(None, self._arrays.take(part.point_data, part.cell_data, counts))]
-        points = split_steps(part.point_data, len(times), "point_data")
-        cells = split_steps(part.cell_data, len(times), "cell_data")
+        points = _split_steps(part.point_data, len(times), "point_data")
+        cells = _split_steps(part.cell_data, len(times), "cell_data")
         return [(t, self._arrays.take(p, c, counts)) for t, p, c in zip(times, points, cells)]
 
     def _write_step(self, step, is_survey):
-        structure = ctypes.byref(step.structure)
         if is_survey:
-            check(library.gatun_survey_step(self.pointer, structure), self._path)
+            self._output.survey_step(step)
         else:
-            call = Call(self._progress)
-            call.check(library.gatun_write_step(self.pointer, structure, *call.arguments), self._path)
-
-    def finish(self):
-        """Completes the file. Returns its size."""
-        pointer, self.pointer = self.pointer, ctypes.c_void_p()
-        size = ctypes.c_uint64()
-        check(library.gatun_finish(pointer, ctypes.byref(size)), self._path)
-        return size.value
-
-    def discard(self):
-        """Gives the file up."""
-        pointer, self.pointer = self.pointer, ctypes.c_void_p()
-        if pointer:
-            library.gatun_discard(pointer)
+            self._output.write_step(step, self._progress)
 
 
 def write_parts(
@@ -100,7 +85,6 @@ def write_parts(
     field_data: Mapping[str, Any] | None = None,
     times: Sequence[float] | None = None,
     overwrite: bool = False,
-    tolerances: str | Mapping[str, str] | None = None,
     arrays: Iterable[Array] = (),
     progress: Progress | None = None,
     **options: Any,
@@ -115,10 +99,14 @@ def write_parts(
         parts: objects with the members of ``gatun.Grid``. ``point_ids`` are the numbers of the points in
             the whole mesh, or None. All parts are asked for twice, in the same order, so that an
             iterator will not do.
-        field_data, times, overwrite, tolerances, arrays: as for ``write_mesh``.
+        field_data: arrays of the whole mesh by name.
+        times: the times of steps. Then each array of ``point_data`` and ``cell_data`` is a sequence with the
+            values of each step.
+        overwrite: whether to replace a file that is there.
+        arrays: as for ``Writer``.
         progress: as for ``File.read``, for each part anew.
-        options: ``keep_order``, ``profile``, ``boundary``, ``chunk_size`` and ``key_step_interval``, as for
-            ``write_mesh``.
+        options: ``tolerances``, ``keep_order``, ``profile``, ``chunk_size`` and ``key_step_interval``, as
+            for ``gatun.write``.
 
     Returns:
         The size of the file in bytes.
@@ -131,14 +119,12 @@ def write_parts(
     if iter(parts) is parts:
         raise TypeError("parts: are needed twice; make a list of them, or an object with __iter__")
     times = None if times is None else [float(time) for time in times]
-    writer = _PartWriter(path, ArrayList(arrays, tolerances), options, progress)
-    try:
+    count = len(parts) if hasattr(parts, "__len__") else 0
+    with Output(os.fsdecode(path), Options(**options)) as output:
+        writer = _PartWriter(output, ArrayList(arrays), count, progress)
         for is_survey in (True, False):
             for part in parts:
                 writer.write(part, times, field_data, is_survey)
-        if not writer.pointer:
+        if not output.is_open:
             raise ValueError("parts: there are none")
-        return writer.finish()
-    except BaseException:
-        writer.discard()
-        raise
+        return output.finish()

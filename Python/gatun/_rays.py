@@ -43,6 +43,17 @@ def _set_rows(image, member, rows):
     return table
 
 
+def _take_factor(image, opacity):
+    """Sets the factor of the default opacities if it is one. Returns opacities in place of the default, or
+    None."""
+    if not isinstance(opacity, (int, float, np.number)):
+        return opacity
+    if not 0 <= opacity < math.inf:
+        raise ValueError(f"opacity: a factor is 0 or more, not {opacity}")
+    image.opacity_scale = opacity
+    return None if opacity else [0.0]  # 0 stands for the default there
+
+
 def draw_mesh(file, handle, size, what, view, transfer, progress):
     """Draws a mesh. Returns height x width x 4 floats, the top row first.
 
@@ -52,7 +63,7 @@ def draw_mesh(file, handle, size, what, view, transfer, progress):
         size: width and height.
         what: numbers of array, component and step, ratio and level.
         view: parameters of the camera.
-        transfer: colors, opacity, range, blend and unit_distance, as of ``File.render``.
+        transfer: colors, opacity, range, blend, unit_distance and shade, as of ``File.render``.
         progress: as for ``File.read``.
     """
     width, height = check_size(size)
@@ -68,8 +79,9 @@ def draw_mesh(file, handle, size, what, view, transfer, progress):
         if not 0 < distance < math.inf:
             raise ValueError(f"unit_distance: {distance} is not above 0")
         image.unit_distance = distance
+    image.shade = bool(transfer["shade"])
     kept = []
-    colors, opacity = transfer["colors"], transfer["opacity"]
+    colors, opacity = transfer["colors"], _take_factor(image, transfer["opacity"])
     if transfer["range"] is not None and colors is None and opacity is None:
         raise ValueError("range: needs colors or an opacity, which it is for")
     if colors is not None or opacity is not None:

@@ -16,7 +16,7 @@ from ._classes import get_class
 from ._errors import raising
 from ._info import info as _info
 from ._reading import choose_time, is_volume, open_reader
-from ._writing import Input
+from ._scene_input import Input
 
 _POINTS, _CELLS = 0, 1
 

@@ -47,3 +47,24 @@ def find_profile(profile):
         there = ", ".join(map(repr, _PROFILES))
         raise ValueError(f"profile: {profile!r} is not known; there are {there}")
     return _PROFILES.index(profile)
+
+
+def check_number(parameter, value, least, most):
+    """Raises ValueError for a number out of its range. Returns it."""
+    if not least <= value <= most:
+        raise ValueError(f"{parameter}: {value!r} is not allowed; the range is {least} to {most}")
+    return value
+
+
+def check_bound(parameter, text, kinds):
+    """Raises ValueError for a text that is none such as "abs:0.1,zeros". Returns whether zeros are kept."""
+    bound, comma, zeros = text.partition(",")
+    kind, _, number = bound.partition(":")
+    try:
+        if kind not in kinds or (comma and zeros != "zeros"):
+            raise ValueError
+        float(number)
+    except ValueError:
+        forms = ", ".join(f"'{k}:{'N' if k == 'bits' else 'E'}'" for k in kinds)
+        raise ValueError(f"{parameter}: {text!r} is none of {forms}") from None
+    return bool(comma)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Files of volumes, read and written without VTK."""
+"""Files of volumes, read without VTK."""
 
 from __future__ import annotations
 
@@ -9,28 +9,21 @@ import ctypes
 import functools
 import json
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from . import _library as _c
-from ._library import Call, encode, encode_text, library
-from ._numbers import as_numbers
+from ._library import library
 from ._piece import make_array, to_buffer
 from ._sources import Handle, get_ranges, get_text
-from ._targets import check_target
-from ._types import Path, Source
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+from ._types import Source
 
 _FUNCTIONS = (
     library.gatun_open_volume,
     library.gatun_open_volume_source,
     library.gatun_close_volume,
 )
-_RATES = {"quality": 0, "rms_error": 1, "psnr": 2, "bits_per_voxel": 3}
-_DEFAULT_QUALITY = 60.0
 
 
 class Volume:
@@ -145,77 +138,3 @@ class Volume:
             Error: the file is damaged.
         """
         self._handle.call(library.gatun_verify_volume, progress=progress)
-
-
-def write_volume(
-    path: Path,
-    values: ArrayLike,
-    *,
-    overwrite: bool = False,
-    spacing: Sequence[float] = (1.0, 1.0, 1.0),
-    origin: Sequence[float] = (0.0, 0.0, 0.0),
-    direction: ArrayLike | None = None,
-    first_index: Sequence[int] = (0, 0, 0),
-    name: str = "values",
-    quality: float | None = None,
-    rms_error: float | None = None,
-    psnr: float | None = None,
-    bits_per_voxel: float | None = None,
-    block_size: int = 8,
-    progress: Callable[[float], Any] | None = None,
-) -> int:
-    """Writes a volume to a .ghv file without VTK.
-
-    Args:
-        path: the file to write.
-        values: the voxels as ``values[z, y, x]``.
-        overwrite: whether to replace a file that is there.
-        spacing: the distances of voxels along x, y and z.
-        origin: the coordinates of the first voxel.
-        direction: a 3 x 3 matrix, whose columns are the directions of x, y and z. Default: those of
-            the coordinates.
-        first_index: the index of the first voxel in VTK.
-        name: of the array.
-        quality, rms_error, psnr, bits_per_voxel: one of these: quality from 1 to 100 (default: 60),
-            largest root mean square error (0: lossless), least peak signal-to-noise ratio in dB, or size.
-        block_size: voxels of a block along each axis, 2 to 64.
-        progress: a function of the fraction that is done; it may return False to stop.
-
-    Returns:
-        The size of the file in bytes.
-
-    Raises:
-        OSError: the file cannot be written; FileExistsError: there is a file.
-        ValueError: a parameter or data that do not fit.
-    """
-    check_target(path, overwrite, ".ghv")
-    array = np.ascontiguousarray(as_numbers(values, "values"))
-    if array.ndim != 3 or array.dtype.kind == "U":
-        raise ValueError(f"values: have to be numbers with 3 dimensions, and have {array.ndim}")
-    rates = {"quality": quality, "rms_error": rms_error, "psnr": psnr, "bits_per_voxel": bits_per_voxel}
-    chosen = [rate for rate, value in rates.items() if value is not None] or ["quality"]
-    if len(chosen) > 1:
-        raise ValueError(f"{' and '.join(chosen)} exclude each other")
-    number = _DEFAULT_QUALITY if rates[chosen[0]] is None else float(rates[chosen[0]])
-    volume = _c.VolumeInfo(type=_c.TYPES[array.dtype.name], name=encode_text(name, "name"))
-    volume.dimensions[:] = array.shape[::-1]
-    volume.spacing[:] = spacing
-    volume.origin[:] = origin
-    volume.first_index[:] = first_index
-    if direction is not None:
-        volume.direction[:] = np.asarray(direction, float).reshape(9)
-    if not 2 <= block_size <= 64:
-        raise ValueError(f"block_size: {block_size} is not from 2 to 64")
-    buffer, call, written = to_buffer(array), Call(progress), _c.VolumeInfo()
-    status = library.gatun_write_volume(
-        encode(path),
-        ctypes.byref(volume),
-        ctypes.byref(buffer),
-        block_size,
-        _RATES[chosen[0]],
-        number,
-        *call.arguments,
-        ctypes.byref(written),
-    )
-    call.check(status, path)
-    return written.file_bytes

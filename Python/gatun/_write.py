@@ -5,26 +5,22 @@
 
 from __future__ import annotations
 
-import ctypes
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _library as _c
 from ._cells import CellType, as_points
 from ._description import Array
-from ._fields import Fields
-from ._library import Call, check, encode, library
-from ._meshes import CellInput, StepInput, describe, take_values
-from ._targets import check_target, find_order, find_profile
-from ._types import Names, Path
+from ._field_input import Fields
+from ._meshes import CellInput, StepInput, take_values
+from ._output import Options, Output
+from ._targets import check_target
+from ._types import Path
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
-
-_LAYERS_BY_HISTOGRAM = 3
 
 #: A function of the fraction from 0 to 1 that is done, which may return False to stop.
 Progress = Callable[[float], Any]
@@ -44,12 +40,10 @@ class ArrayList:
 
     Args:
         descriptions: of arrays with names, roles and keys to keep, as ``File.arrays`` has them.
-        tolerances: as for ``write_mesh``.
     """
 
-    def __init__(self, descriptions, tolerances):
+    def __init__(self, descriptions):
         self._known = {(array.key, array.is_cell): array for array in descriptions}
-        self._tolerances = {"*": tolerances} if isinstance(tolerances, str) else dict(tolerances or {})
         self.list = []
 
     def take(self, point_data, cell_data, counts):
@@ -91,83 +85,6 @@ class ArrayList:
                 )
             )
 
-    def describe(self, values):
-        """Structures of the library, and what has to be kept with them.
-
-        Args:
-            values: of the first step, for hierarchies and layers, or None.
-        """
-        descriptions = [describe(array) for array in self.list]
-        rest = dict(self._tolerances)
-        everything = rest.pop("*", None)
-        for array, description, own in zip(self.list, descriptions, values or [None] * len(self.list)):
-            bound = rest.pop(array.key, self._tolerances.get(array.key))
-            if bound is None and array.dtype.kind == "f":
-                bound = everything
-            if bound is not None:
-                if not isinstance(bound, str):
-                    raise ValueError(
-                        f"tolerances: {bound!r} of {array.key!r} has to be a text such as 'rel:1e-3'"
-                    )
-                description.structure.error = bound.encode()
-            if own is not None:
-                description.structure.values = own.ctypes.data
-        if rest:
-            raise ValueError(f"tolerances: there is no array {next(iter(rest))!r}")
-        structures = (_c.Array * len(descriptions))(*(d.structure for d in descriptions))
-        return structures, descriptions
-
-    def find(self, name):
-        """The number of a point array."""
-        for number, array in enumerate(self.list):
-            if array.key == name and not array.is_cell:
-                return number
-        raise ValueError(f"layers: there is no point array {name!r}")
-
-
-def make_options(
-    arrays,
-    points_move,
-    *,
-    keep_order="none",
-    profile="fast",
-    hierarchy=False,
-    levels=0,
-    layers=None,
-    boundary=False,
-    dependencies=False,
-    chunk_size=0,
-    key_step_interval=8,
-):
-    """The options of the library, of those of ``write_mesh``."""
-    if not 0 <= levels <= 64:
-        raise ValueError(f"levels: {levels} is not from 0 to 64")
-    if chunk_size != 0 and not 64 <= chunk_size <= 1048576:
-        raise ValueError(f"chunk_size: {chunk_size} is neither 0 nor from 64 to 1048576")
-    if key_step_interval < 1:
-        raise ValueError(f"key_step_interval: {key_step_interval} is not above 0")
-    options = _c.Options(
-        keep_order=find_order(keep_order),
-        # The library counts from the fast one, and VTK from the small one.
-        profile=1 - find_profile(profile),
-        chunk_size=chunk_size,
-        key_step_interval=key_step_interval,
-        points_move=bool(points_move),
-        boundary=bool(boundary),
-        hierarchy=bool(hierarchy),
-        levels=levels,
-        dependencies=bool(dependencies),
-    )
-    if layers is not None:
-        name, count = (layers, 0) if isinstance(layers, str) else layers
-        if not 0 <= count <= 4096:
-            raise ValueError(f"layers: {count} is not from 0 to 4096")
-        options.layers = _LAYERS_BY_HISTOGRAM
-        options.layer_array = arrays.find(name)
-        options.layer_component = 0 if arrays.list[options.layer_array].components == 1 else -1
-        options.layer_count = count
-    return options
-
 
 class Writer:
     """Writes a mesh with time steps, or several meshes with steps of their own, to a .gtn file.
@@ -184,14 +101,13 @@ class Writer:
         path: the file to write, with the extension .gtn.
         overwrite: whether to replace a file that is there.
         append: whether to add steps to the file, which has to exist and have time. ``add_mesh`` comes
-            first here, too; what the file has already, as the same mesh, is stored once. Options of
-            the file stay.
-        tolerances: how much arrays may change; as for ``gatun.write``.
+            first here, too; what the file has already, as the same mesh, is stored once.
         points_move: whether each step has coordinates of its own.
         arrays, point_array: descriptions of arrays and of the points with names, roles and keys to keep,
             as ``File.arrays`` and ``File.point_array`` have them.
-        options: ``keep_order``, ``profile``, ``hierarchy``, ``levels``, ``layers``, ``boundary``,
-            ``dependencies``, ``chunk_size`` and ``key_step_interval``, as for ``write_mesh``.
+        options: ``tolerances``, ``keep_order``, ``profile``, ``hierarchy``, ``levels``, ``layers``,
+            ``boundary``, ``chunk_size`` and ``key_step_interval``, as for ``gatun.write``. Of a file that
+            is appended to, the order, the profile, the chunk size and the interval stay.
     """
 
     def __init__(
@@ -200,36 +116,30 @@ class Writer:
         *,
         overwrite: bool = False,
         append: bool = False,
-        tolerances: str | Mapping[str, str] | None = None,
         points_move: bool = False,
         arrays: Iterable[Array] = (),
         point_array: Array | None = None,
         **options: Any,
     ) -> None:
         check_target(path, overwrite or append, ".gtn")
-        self._pointer = ctypes.c_void_p()
         self._path = os.fsdecode(path)
         self._points_move = bool(points_move)
-        self._options = options
         self._point_array = point_array
         self._mesh = None
-        self._meshes = {}  # by number
-        self._kept = []  # what the library refers to until the end
+        self._meshes = []
+        self._numbers = []  # of the meshes in the file; those of the last one may wait for its first step
         self._is_done = False
-        self._arrays = ArrayList(arrays, tolerances)
-        make_options(self._arrays, points_move, **{**options, "layers": None})  # or an error
+        self._arrays = ArrayList(arrays)
+        self._output = Output(self._path, Options(**options))
         if append:
             self._append()
 
     def _append(self):
         from ._file import File
 
-        if self._options:
-            raise ValueError(f"{', '.join(self._options)}: a file keeps its options")
         with File(self._path) as file:
             self._arrays.list = list(file.arrays)
-            self._points_move = bool(file.info["pointsMove"])
-        check(library.gatun_append(encode(self._path), ctypes.byref(self._pointer)), self._path)
+        self._output.append(self._arrays.list, self._points_move)
 
     def add_mesh(
         self,
@@ -242,7 +152,6 @@ class Writer:
         faces: ArrayLike | None = None,
         face_locations: ArrayLike | None = None,
         surface: bool = False,
-        progress: Progress | None = None,
     ) -> int:
         """Adds a mesh for the next steps. Returns its number. The arrays stay in use until the file is complete.
 
@@ -252,7 +161,6 @@ class Writer:
                 ``gatun.Grid``.
             surface: whether the file is one of a surface (vtkPolyData): vertices first, then lines,
                 polygons and strips.
-            progress: as for ``File.read``.
         """
         self._check()
         mesh = CellInput(
@@ -266,16 +174,11 @@ class Writer:
             is_surface=surface,
             point_array=self._point_array,
         )
-        number = ctypes.c_uint32(0)
-        if self._pointer:
-            self._call(
-                library.gatun_add_mesh,
-                ctypes.byref(mesh.structure),
-                progress=progress,
-                tail=(ctypes.byref(number),),
-            )
-        self._mesh = self._meshes[number.value] = mesh
-        return number.value
+        if len(self._numbers) < len(self._meshes):
+            raise ValueError("the mesh before has no step")
+        self._mesh = mesh
+        self._meshes.append(mesh)
+        return len(self._meshes) - 1
 
     def use_mesh(self, number: int) -> None:
         """Selects the mesh of the next steps: the last or the first one.
@@ -284,9 +187,9 @@ class Writer:
             number: of the mesh, from 0.
         """
         self._check()
-        if number not in self._meshes:
-            raise ValueError(f"there is no mesh {number}")
-        check(library.gatun_use_mesh(self._pointer, number), self._path)
+        if not 0 <= number < len(self._numbers):
+            raise ValueError(f"there is no mesh {number} with a step")
+        self._output.use_mesh(self._numbers[number])
         self._mesh = self._meshes[number]
 
     def write_step(
@@ -327,8 +230,8 @@ class Writer:
             True: self._mesh.count if cells is None else len(cells),
         }
         values = self._arrays.take(point_data, cell_data, counts)
-        if not self._pointer:
-            self._create(values, progress)
+        if len(self._numbers) < len(self._meshes):
+            self._put_mesh(values, progress)
         if points is not None:
             if not self._points_move:
                 raise ValueError("points: need a file whose points move")
@@ -338,60 +241,35 @@ class Writer:
         step = StepInput(
             values, Fields(field_data), None if time is None else float(time), points, cells, rest
         )
-        self._call(library.gatun_write_step, ctypes.byref(step.structure), progress=progress)
+        self._output.write_step(step, progress)
 
-    def _create(self, values, progress):
-        structures, descriptions = self._arrays.describe(values)
-        self._kept += [structures, descriptions, values]
-        options = make_options(self._arrays, self._points_move, **self._options)
-        call = Call(progress)
-        status = library.gatun_create(
-            encode(self._path),
-            ctypes.byref(self._mesh.structure),
-            structures,
-            len(structures),
-            ctypes.byref(options),
-            *call.arguments,
-            ctypes.byref(self._pointer),
-        )
-        call.check(status, self._path)
+    def _put_mesh(self, values, progress=None):
+        """Puts the last mesh into the file. Values: of its first step, or None."""
+        number = 0
+        if self._output.is_open:
+            number = self._output.add_mesh(self._mesh, values, progress)
+        else:
+            self._output.create(self._mesh, self._arrays.list, values, self._points_move, progress)
+        self._numbers.append(number)
 
     def _check(self):
         if self._is_done:
             raise ValueError("the file is complete, or has been given up")
 
-    def _call(self, function, *arguments, progress=None, tail=()):
-        call = Call(progress)
-        call.check(function(self._pointer, *arguments, *call.arguments, *tail), self._path)
-
     def finish(self) -> int:
         """Completes the file. Returns its size in bytes."""
         self._check()
-        if not self._pointer:
+        if not self._output.is_open:
             if self._mesh is None:
                 raise ValueError("there is no mesh to write")
-            self._create([], None)
-        pointer, self._pointer = self._pointer, ctypes.c_void_p()
+            self._put_mesh(None)
         self._is_done = True
-        size = ctypes.c_uint64()
-        try:
-            check(library.gatun_finish(pointer, ctypes.byref(size)), self._path)
-        finally:
-            self._release()
-        return size.value
+        return self._output.finish()
 
     def discard(self) -> None:
         """Gives the file up. One that is there stays as it was."""
-        pointer, self._pointer = self._pointer, ctypes.c_void_p()
         self._is_done = True
-        if pointer:
-            library.gatun_discard(pointer)
-        self._release()
-
-    def _release(self):
-        self._kept.clear()
-        self._meshes.clear()
-        self._mesh = None
+        self._output.discard()
 
     def __enter__(self) -> Writer:
         return self
@@ -401,129 +279,3 @@ class Writer:
             self.discard()
         elif not self._is_done:
             self.finish()
-
-    def __del__(self):
-        if getattr(self, "_pointer", None):
-            self.discard()
-
-
-def split_steps(data, count, what):
-    """For each step the arrays of it, of arrays with an entry for each step."""
-    for name, values in (data or {}).items():
-        if len(values) != count:
-            raise ValueError(f"{what} {name!r}: has {len(values)} entries for {count} times")
-    return [{name: values[i] for name, values in (data or {}).items()} for i in range(count)]
-
-
-def write_mesh(
-    path: Path,
-    points: ArrayLike,
-    cells: np.ndarray | Mapping[CellType, ArrayLike] | Iterable[tuple[CellType, ArrayLike]] | None = None,
-    *,
-    connectivity: ArrayLike | None = None,
-    offsets: ArrayLike | None = None,
-    types: ArrayLike | None = None,
-    faces: ArrayLike | None = None,
-    face_locations: ArrayLike | None = None,
-    surface: bool = False,
-    point_data: Data | None = None,
-    cell_data: Data | None = None,
-    field_data: Data | None = None,
-    times: Sequence[float] | None = None,
-    overwrite: bool = False,
-    tolerances: str | Mapping[str, str] | None = None,
-    profile: str = "fast",
-    keep_order: bool | Names = "none",
-    hierarchy: bool = False,
-    levels: int = 0,
-    layers: str | tuple[str, int] | None = None,
-    boundary: bool = False,
-    dependencies: bool = False,
-    chunk_size: int = 0,
-    key_step_interval: int = 8,
-    arrays: Iterable[Array] = (),
-    point_array: Array | None = None,
-    progress: Progress | None = None,
-) -> int:
-    """Writes a mesh to a .gtn file without VTK.
-
-    Args:
-        path: the file to write, with the extension .gtn.
-        points, cells, connectivity, offsets, types, faces, face_locations, surface: as for
-            ``Writer.add_mesh``.
-        point_data, cell_data, field_data: as for ``Writer.write_step``.
-        times: the times of steps. Then each array of ``point_data`` and ``cell_data`` is a sequence with
-            the values of each step.
-        overwrite: whether to replace a file that is there.
-        tolerances: how much arrays may change, as for ``gatun.write``.
-        profile: ``"fast"`` optimizes the file for reading speed, ``"small"`` for size.
-        keep_order: the original order that the file keeps: ``"none"``, ``"points"``, ``"cells"``,
-            ``"corners"`` or ``"all"``, or a list of these. True is ``"all"``.
-        hierarchy: whether the mesh can be read and drawn with any number of points.
-        levels: largest number of coarser meshes to store, 0 to 64. Above 0, it includes the hierarchy.
-        layers: a point array by whose values the file is organized, for isosurfaces; or a pair of it
-            and the largest number of layers, 0 (automatic) to 4096.
-        boundary: whether to store the boundary of the mesh, too.
-        dependencies: whether to store those of the hierarchy, for view-dependent simplification.
-        chunk_size: largest number of cells in a chunk, 64 to 1048576, or 0 (automatic).
-        key_step_interval: number of time steps from one that needs no other step to the next.
-        arrays, point_array: as for ``Writer``.
-        progress: as for ``File.read``.
-
-    Returns:
-        The size of the file in bytes.
-
-    Raises:
-        OSError: the file cannot be written; FileExistsError: there is a file.
-        ValueError: a parameter or data that do not fit.
-    """
-    writer = Writer(
-        path,
-        overwrite=overwrite,
-        tolerances=tolerances,
-        arrays=arrays,
-        point_array=point_array,
-        profile=profile,
-        keep_order=keep_order,
-        hierarchy=hierarchy,
-        levels=levels,
-        layers=layers,
-        boundary=boundary,
-        dependencies=dependencies,
-        chunk_size=chunk_size,
-        key_step_interval=key_step_interval,
-    )
-    try:
-        writer.add_mesh(
-            points,
-            cells,
-            connectivity=connectivity,
-            offsets=offsets,
-            types=types,
-            faces=faces,
-            face_locations=face_locations,
-            surface=surface,
-        )
-        if times is None:
-            writer.write_step(
-                point_data=point_data, cell_data=cell_data, field_data=field_data, progress=progress
-            )
-        else:
-            times = list(times)
-            steps = zip(
-                times,
-                split_steps(point_data, len(times), "point_data"),
-                split_steps(cell_data, len(times), "cell_data"),
-            )
-            for time, own_points, own_cells in steps:
-                writer.write_step(
-                    point_data=own_points,
-                    cell_data=own_cells,
-                    field_data=field_data,
-                    time=time,
-                    progress=progress,
-                )
-        return writer.finish()
-    except BaseException:
-        writer.discard()
-        raise

@@ -272,4 +272,38 @@ TEST(LibraryPieces, AsAnImageByDefault)
     EXPECT_LT(seen, 1600u);
   }
 }
+TEST(LibraryPieces, AsAnImageWithLightAndScaledOpacity)
+{
+  const OpenedFile file(MakeFile("shaded.gtn", 0));
+  auto image = Make<gatun_image>();
+  image.width = image.height = 24;
+  const auto draw = [&]
+  {
+    std::vector<float> pixels(4 * image.width * image.height);
+    const auto buffer = BufferOf(pixels);
+    EXPECT_OK(gatun_render(file, &image, &buffer, nullptr, nullptr));
+    return pixels;
+  };
+  const auto plain = draw();
+  image.shade = 1;
+  const auto shaded = draw();
+  // The gradient is constant, so that all colors change by the same factors.
+  EXPECT_NE(shaded, plain);
+  image.shade = 0;
+  image.opacity_scale = 0.25;
+  const auto thin = draw();
+  for (std::size_t i = 3; i < plain.size(); i += 4)
+  {
+    EXPECT_NEAR(shaded[i], plain[i], 1e-5);
+    EXPECT_LE(thin[i], plain[i]);
+  }
+  const auto middle = 4 * (12 * image.width + 12) + 3;
+  EXPECT_LT(thin[middle], plain[middle]);
+  // Opacity is over the unit distance: a quarter is not that of the whole ray.
+  EXPECT_GT(thin[middle], plain[middle] / 8);
+  image.opacity_scale = -1;
+  std::vector<float> pixels(4 * image.width * image.height);
+  const auto buffer = BufferOf(pixels);
+  EXPECT_EQ(gatun_render(file, &image, &buffer, nullptr, nullptr), GATUN_INVALID_INPUT);
+}
 }

@@ -142,8 +142,8 @@ TEST(LibraryWriting, AppendsStepsWithTheSameMeshOnce)
   ASSERT_OK(gatun_finish(writer, &first));
   for (int i = 1; i < 4; ++i)
   {
-    ASSERT_OK(gatun_append(path.c_str(), &writer));
-    ASSERT_OK(gatun_add_mesh(writer, &mesh, nullptr, nullptr, nullptr));
+    ASSERT_OK(gatun_append(path.c_str(), nullptr, 0, nullptr, &writer));
+    ASSERT_OK(gatun_add_mesh(writer, &mesh, nullptr, nullptr, nullptr, nullptr));
     step = MakeStep(arrays, i);
     ASSERT_OK(gatun_write_step(writer, &step, nullptr, nullptr));
     std::uint64_t bytes = 0;
@@ -178,7 +178,7 @@ TEST(LibraryWriting, GoesBackToTheFirstMesh)
   auto step = MakeStep(arrays, 0);
   ASSERT_OK(gatun_write_step(writer, &step, nullptr, nullptr));
   std::uint32_t number = 0;
-  ASSERT_OK(gatun_add_mesh(writer, &other, nullptr, nullptr, &number));
+  ASSERT_OK(gatun_add_mesh(writer, &other, nullptr, nullptr, nullptr, &number));
   EXPECT_EQ(number, 1u);
   step = MakeStep(others, 1);
   ASSERT_OK(gatun_write_step(writer, &step, nullptr, nullptr));
@@ -198,7 +198,7 @@ TEST(LibraryWriting, GoesBackToTheFirstMesh)
   }
 
   // A file that is appended to has no mesh at first; buffers of the first one would be too small.
-  ASSERT_OK(gatun_append(path.c_str(), &writer));
+  ASSERT_OK(gatun_append(path.c_str(), nullptr, 0, nullptr, &writer));
   step = MakeStep(others, 4);
   EXPECT_EQ(gatun_write_step(writer, &step, nullptr, nullptr), GATUN_INVALID_INPUT);
   EXPECT_EQ(gatun_use_mesh(writer, 0), GATUN_INVALID_INPUT);

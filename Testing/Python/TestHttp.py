@@ -112,7 +112,7 @@ def write_large():
     generator = np.random.default_rng(1)
     data = {name: generator.normal(size=len(points)) for name in ("a", "b", "c", "d")}
     path = find("large.gtn")
-    gatun.write_mesh(path, points, tets, point_data=data, chunk_size=4096, levels=2, overwrite=True)
+    gatun.write(gatun.Mesh(points, tets, data), path, chunk_size=4096, levels=2, overwrite=True)
     return path
 
 

@@ -116,7 +116,7 @@ class Arriving(Pieces):
 def write_file(name="library.gtn", **options):
     path = find(name)
     data = {"v": VALUES, "p": POINTS}
-    gatun.write_mesh(path, POINTS, TETS, point_data=data, overwrite=True, chunk_size=2048, **options)
+    gatun.write(gatun.Mesh(POINTS, TETS, data), path, overwrite=True, chunk_size=2048, **options)
     return path
 
 
@@ -437,6 +437,20 @@ class Use(unittest.TestCase):
             near = file.render(**{**view, "opacity": [1, 1], "range": (0, 1)}, zoom=0.5, parallel=True)
             wide = file.render(**{**view, "opacity": [1, 1], "range": (0, 1)}, parallel=True)
             self.assertAlmostEqual((wide[20, :, 3] > 0).sum() / (near[20, :, 3] > 0).sum(), 2, delta=0.2)
+
+    def test_light_and_factor_of_opacities(self):
+        """As the ray caster of VTK draws them."""
+        path = write_file("light.gtn")
+        common = {"size": (60, 50), "array": "v", "dtype": np.float32, "colors": [(0, 0, 1), (1, 0, 0)]}
+        with gatun.open(path) as file:
+            plain = file.render(**common)
+            for more in ({"shade": True}, {"opacity": 0.3}, {"opacity": 4.0, "shade": True}, {"opacity": 0}):
+                with self.subTest(more):
+                    image = file.render(**common, **more)
+                    np.testing.assert_allclose(image, gatun.render(path, **common, **more), atol=2e-3)
+                    self.assertGreater(np.abs(image - plain).max(), 0.02)
+            for factor in (-1, np.inf):
+                require_raises(ValueError, "opacity", file.render, opacity=factor)
 
     def test_images_of_series(self):
         """The mesh of each step fills the image."""

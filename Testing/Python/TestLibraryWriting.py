@@ -71,17 +71,10 @@ class LibraryWriting(unittest.TestCase):
         for path in golden_files(".ghv"):
             with self.subTest(os.path.basename(path)), gatun.open(path) as source:
                 values = source.read()
-                size = gatun.write_volume(
-                    find("copy.ghv"),
-                    values,
-                    overwrite=True,
-                    name=source.name,
-                    origin=source.origin,
-                    spacing=source.spacing,
-                    direction=source.direction,
-                    first_index=source.first_index,
-                    rms_error=0,
+                image = gatun.Image(
+                    values, source.spacing, source.origin, source.direction, source.first_index, source.name
                 )
+                size = gatun.write(image, find("copy.ghv"), overwrite=True, rms_error=0)
                 self.assertEqual(size, os.path.getsize(find("copy.ghv")))
                 with gatun.Volume(find("copy.ghv")) as target:
                     if values.dtype.kind == "f":  # for which there is no lossless coding
@@ -99,8 +92,8 @@ class LibraryWriting(unittest.TestCase):
         """Blocks of cells of several types, masked and half floats, booleans."""
         cells = [("tetra", TETS[:7]), ("wedge", TETS[:2, [0, 1, 2, 1, 2, 3]]), ("tetra", TETS[7:])]
         flags = np.arange(len(POINTS)) % 2 == 0
-        gatun.write_mesh(find("blocks.gtn"), POINTS, cells, keep_order=True, overwrite=True,
-                         point_data={"flags": flags, "half": flags.astype(np.float16)})
+        mesh = gatun.Mesh(POINTS, cells, {"flags": flags, "half": flags.astype(np.float16)})
+        gatun.write(mesh, find("blocks.gtn"), keep_order=True, overwrite=True)
         with gatun.open(find("blocks.gtn")) as file:
             grid = file.read()
         require_equal(grid.points, POINTS)
@@ -113,8 +106,8 @@ class LibraryWriting(unittest.TestCase):
     def test_steps(self):
         times = [0.5, 1.0, 2.5]
         values = np.random.default_rng(1).normal(size=(3, len(POINTS), 2))
-        gatun.write_mesh(find("steps.gtn"), POINTS, TETS, point_data={"v": values}, times=times,
-                         keep_order=True, overwrite=True)
+        series = [gatun.Mesh(POINTS, TETS, {"v": v}) for v in values]
+        gatun.write(series, find("steps.gtn"), times=times, keep_order=True, overwrite=True)
         with gatun.open(find("steps.gtn")) as file:
             self.assertEqual(file.times, times)
             for number, time in enumerate(times):
@@ -198,7 +191,7 @@ class LibraryWriting(unittest.TestCase):
             "pairs": [["a", "b"], ["c", "d"]],
             "none": np.empty(0, np.float32),
         }
-        gatun.write_mesh(find("fields.gtn"), POINTS, TETS, field_data=fields, overwrite=True)
+        gatun.write(gatun.Mesh(POINTS, TETS, field_data=fields), find("fields.gtn"), overwrite=True)
         with gatun.open(find("fields.gtn")) as file:
             require_same_fields(file.read().field_data, fields)
             require_same_fields(file.get_field_data(), fields)
@@ -213,8 +206,9 @@ class LibraryWriting(unittest.TestCase):
         array = gatun.File(golden_files("attributes.gtn")[0]).arrays[0]
         array = type(array)("v", "v", False, np.dtype(float), 2, ("x", "y"), 2, 0, keys)
         points = type(array)("Places", "points", False, np.dtype(float), 3, ("a", "b", "c"), 0, 0, keys[:1])
-        gatun.write_mesh(find("keys.gtn"), POINTS, TETS, point_data={"v": POINTS[:, :2]}, arrays=[array],
-                         point_array=points, overwrite=True)
+        with gatun.Writer(find("keys.gtn"), arrays=[array], point_array=points, overwrite=True) as writer:
+            writer.add_mesh(POINTS, TETS)
+            writer.write_step(point_data={"v": POINTS[:, :2]})
         with gatun.open(find("keys.gtn")) as file:
             found = file.arrays[0]
             self.assertEqual(sorted(found.keys), sorted(keys))
@@ -228,19 +222,20 @@ class LibraryWriting(unittest.TestCase):
         points, tets = make_cube(20)
         value = np.sin(points @ [3, 4, 5])
         path = find("options.gtn")
-        common = {"point_data": {"v": value}, "overwrite": True, "keep_order": True}
-        gatun.write_mesh(path, points, tets, tolerances={"v": "abs:0.01"}, **common)
+        mesh = gatun.Mesh(points, tets, {"v": value})
+        common = {"overwrite": True, "keep_order": True}
+        gatun.write(mesh, path, tolerances={"v": "abs:0.01"}, **common)
         with gatun.open(path) as file:
             error = np.abs(file.read().point_data["v"] - value).max()
             self.assertTrue(0 < error <= 0.01)
-        gatun.write_mesh(path, points, tets, levels=1, boundary=True, chunk_size=2048, **common)
+        gatun.write(mesh, path, levels=1, boundary=True, chunk_size=2048, **common)
         with gatun.open(path) as file:
             half = file.read(ratio=0.5)
             self.assertEqual(len(half.points), len(points) - len(points) // 2)
             boundary = file.read(boundary=True)
             self.assertTrue(boundary.is_surface or np.all(boundary.types == 5))
             self.assertEqual(len(boundary.types), 12 * 19 * 19)
-        gatun.write_mesh(path, points, tets, layers=("v", 4), **common)
+        gatun.write(mesh, path, layers=("v", 4), **common)
         with gatun.open(path) as file:
             self.assertTrue(file.info["hasLayers"])
             surface = file.contour("v", 0.2, normals=True)
@@ -253,9 +248,11 @@ class LibraryWriting(unittest.TestCase):
         points, tets = make_cube(8)
         value = np.sin(points @ [3, 4, 5])
         path = find("bounds.gtn")
-        write = lambda names, bounds, **rest: gatun.write_mesh(  # noqa: E731
-            path, points, tets, point_data={name: value for name in names}, tolerances=bounds, overwrite=True,
-            keep_order=True, **rest)
+
+        def write(names, bounds, cell_data=None):
+            mesh = gatun.Mesh(points, tets, {name: value for name in names}, cell_data or {})
+            gatun.write(mesh, path, tolerances=bounds, overwrite=True, keep_order=True)
+
         for name in ("a=b", "a=abs:1", " ", "v,zeros"):
             write((name, "other"), {name: "abs:0.01"})
             with gatun.open(path) as file:
@@ -269,42 +266,50 @@ class LibraryWriting(unittest.TestCase):
             self.assertTrue(0 < np.abs(grid.point_data["v"] - value).max() <= 0.01)
             self.assertTrue(0 < np.abs(grid.cell_data["v"] - cells["v"]).max() <= 0.01)
         numbers = {"v": np.arange(len(tets))}
-        require_raises(gatun.InputError, "same name", write, ("v",), "abs:0.01", cell_data=numbers)
-        require_raises(gatun.InputError, "'*'", write, ("*", "other"), "abs:0.01")
+        write(("v",), "abs:0.01", cell_data=numbers)  # numbers of cells are integers, and exact
+        with gatun.open(path) as file:
+            grid = file.read()
+            self.assertTrue(0 < np.abs(grid.point_data["v"] - value).max() <= 0.01)
+            require_equal(grid.cell_data["v"], numbers["v"])
 
     def test_wrong_input(self):
         path = find("wrong.gtn")
         os.path.exists(path) and os.remove(path)
-        write = gatun.write_mesh
-        for text, parameters in [
-            ("either cells", {"cells": None}),
-            ("n x 3", {"points": POINTS[:, :1]}),
-            ("points from 0", {"cells": TETS + 1000}),
-            ("values for", {"point_data": {"v": POINTS[:5]}}),
-            ("texts are for field_data", {"point_data": {"v": POINTS[:, 0].astype(str)}}),
-            ("no array 'w'", {"tolerances": {"w": "abs:1"}}),
-            ("keep_order", {"keep_order": "some"}),
-            ("profile", {"profile": "tiny"}),
-            ("no point array", {"layers": "w"}),
-            ("chunk_size", {"chunk_size": 3}),
-            ("offsets: has", {"cells": None, "connectivity": TETS.ravel(), "offsets": [0, 4], "types": [10, 10]}),
-            ("ascend", {"cells": None, "connectivity": TETS.ravel(), "offsets": [0, 8, 4], "types": [10, 10]}),
-            ("end in the", {"cells": None, "connectivity": TETS[0], "offsets": [0, 4, 8], "types": [10, 10]}),
-            ("entries for", {"times": [0, 1], "point_data": {"v": POINTS}}),
+
+        def make(points=POINTS, cells=TETS, **data):
+            return gatun.Mesh(points, cells, data)
+
+        def grid(connectivity, offsets, types):
+            return gatun.Grid(POINTS, np.array(connectivity), np.array(offsets), np.array(types))
+
+        for text, mesh, options in [
+            ("n x 3", make(points=POINTS[:, :1]), {}),
+            ("points from 0", make(cells=TETS + 1000), {}),
+            ("values for", make(v=POINTS[:5]), {}),
+            ("texts are for field_data", make(v=POINTS[:, 0].astype(str)), {}),
+            ("no array 'w'", make(), {"tolerances": {"w": "abs:1"}}),
+            ("no array 'w'", make(), {"arrays": ["w"]}),
+            ("'rel:x' is none of", make(v=POINTS), {"tolerances": {"v": "rel:x"}}),
+            ("keep_order", make(), {"keep_order": "some"}),
+            ("profile", make(), {"profile": "tiny"}),
+            ("no point array", make(), {"layers": "w"}),
+            ("chunk_size", make(), {"chunk_size": 3}),
+            ("offsets: has", grid(TETS.ravel(), [0, 4], [10, 10]), {}),
+            ("ascend", grid(TETS.ravel(), [0, 8, 4], [10, 10]), {}),
+            ("end in the", grid(TETS[0], [0, 4, 8], [10, 10]), {}),
+            ("each has to be after", [make(), make()], {"times": [1, 0]}),
         ]:
             with self.subTest(text):
-                parameters = {"points": POINTS, "cells": TETS, **parameters}
-                require_raises(ValueError, text, write, path, **parameters)
-        for text, parameters in [
-            ("tolerance", {"tolerances": {"v": "rel:x"}, "point_data": {"v": POINTS}}),
-            ("", {"cells": None, "connectivity": [0, 1, 2, 999], "offsets": [0, 4], "types": [10]}),
-            ("", {"times": [1, 0], "point_data": {"v": [POINTS, POINTS]}}),
+                require_raises(ValueError, text, gatun.write, mesh, path, **options)
+        for text, mesh, options in [
+            ("uses point 999", grid([0, 1, 2, 999], [0, 4], [10]), {}),
+            ("cell 0 (type 12, vtkHexahedron) has 7 points, not 8", grid(range(7), [0, 7], [12]), {}),
+            ("has to be", make(v=POINTS), {"tolerances": "pw:2"}),
         ]:
-            with self.subTest(parameters=parameters):
-                parameters = {"points": POINTS, "cells": TETS, **parameters}
-                error = require_raises(gatun.InputError, "", write, path, **parameters)
+            with self.subTest(text):
+                error = require_raises(gatun.InputError, "", gatun.write, mesh, path, **options)
                 self.assertEqual(error.name, "InvalidInputError")
-        require_raises(ValueError, "are written to", write, find("a.vtk"), POINTS, TETS)
+        require_raises(ValueError, "are written to", gatun.write, make(), find("a.vtk"))
         self.assertFalse(os.path.exists(path))
 
     def test_parts(self):
@@ -351,13 +356,14 @@ class LibraryWriting(unittest.TestCase):
 
     def test_targets(self):
         path = find("target.gtn")
-        gatun.write_mesh(path, POINTS, TETS, overwrite=True)
-        require_raises(FileExistsError, path, gatun.write_mesh, path, POINTS, TETS)
+        mesh = gatun.Mesh(POINTS, TETS)
+        gatun.write(mesh, path, overwrite=True)
+        require_raises(FileExistsError, path, gatun.write, mesh, path)
         missing = find(os.path.join("nowhere", "a.gtn"))
         os.path.isdir(os.path.dirname(missing)) and os.rmdir(os.path.dirname(missing))
-        error = require_raises(FileNotFoundError, "nowhere", gatun.write_mesh, missing, POINTS, TETS)
+        error = require_raises(FileNotFoundError, "nowhere", gatun.write, mesh, missing)
         self.assertIn("nowhere", error.filename)
-        require_raises(IsADirectoryError, "", gatun.write_mesh, os.path.dirname(path), POINTS, TETS)
+        require_raises(IsADirectoryError, "", gatun.write, mesh, os.path.dirname(path))
         folder = os.path.dirname(path)
         before = sorted(os.listdir(folder))
         with self.assertRaises(ZeroDivisionError), gatun.Writer(find("given-up.gtn")) as writer:
@@ -372,16 +378,18 @@ class LibraryWriting(unittest.TestCase):
         path = find("progress.gtn")
         os.path.exists(path) and os.remove(path)
         seen = []
-        gatun.write_mesh(path, points, tets, point_data={"v": points}, progress=seen.append)
+        mesh = gatun.Mesh(points, tets, {"v": points})
+        gatun.write([mesh, mesh], path, progress=seen.append)
         self.assertTrue(seen and all(0 <= fraction <= 1 for fraction in seen))
+        self.assertEqual(seen, sorted(seen))
         os.remove(path)
-        error = require_raises(gatun.Error, "", gatun.write_mesh, path, points, tets, progress=lambda _: False)
+        error = require_raises(gatun.Error, "", gatun.write, mesh, path, progress=lambda _: False)
         self.assertEqual(error.name, "AbortedError")
 
         def fail(_):
             raise KeyError("mine")
 
-        require_raises(KeyError, "mine", gatun.write_mesh, path, points, tets, progress=fail)
+        require_raises(KeyError, "mine", gatun.write, mesh, path, progress=fail)
         self.assertFalse(os.path.exists(path))
 
 

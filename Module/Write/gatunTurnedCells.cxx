@@ -3,13 +3,9 @@
 
 #include "gatunTurnedCells.h"
 
+#include "gatunCellShapes.h"
 #include "gatunOrientation.h"
 #include "gatunParallel.h"
-
-#include "vtkCellType.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <span>
@@ -20,7 +16,7 @@ namespace
 {
 constexpr std::size_t TetsPerTask = 1 << 14;
 
-using Corners = std::array<int, 4>; // a corner of a cell and its three neighbors
+using Corners = std::array<std::uint8_t, 4>; // a corner of a cell and its three neighbors
 
 constexpr std::array<Corners, 1> Tetrahedron{ { { 0, 1, 2, 3 } } };
 constexpr std::array<Corners, 8> Hexahedron{ { { 0, 1, 3, 4 }, { 1, 2, 0, 5 }, { 2, 3, 1, 6 },
@@ -32,57 +28,54 @@ constexpr std::array<Corners, 6> Wedge{ { { 0, 1, 2, 3 }, { 1, 2, 0, 4 }, { 2, 0
 constexpr std::array<Corners, 4> Pyramid{ { { 0, 1, 3, 4 }, { 1, 2, 0, 4 }, { 2, 3, 1, 4 },
   { 3, 0, 2, 4 } } };
 
+/** type: in vtkCellType.h. */
 std::span<const Corners> GetCorners(int type)
 {
   switch (type)
   {
-    case VTK_TETRA:
-    case VTK_QUADRATIC_TETRA:
-    case VTK_LAGRANGE_TETRAHEDRON:
+    case TetraType:
+    case 24: // VTK_QUADRATIC_TETRA
+    case 71: // VTK_LAGRANGE_TETRAHEDRON
       return Tetrahedron;
-    case VTK_HEXAHEDRON:
-    case VTK_QUADRATIC_HEXAHEDRON:
-    case VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON:
-    case VTK_TRIQUADRATIC_HEXAHEDRON:
-    case VTK_LAGRANGE_HEXAHEDRON:
+    case 12: // VTK_HEXAHEDRON
+    case 25: // VTK_QUADRATIC_HEXAHEDRON
+    case 33: // VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON
+    case 29: // VTK_TRIQUADRATIC_HEXAHEDRON
+    case 72: // VTK_LAGRANGE_HEXAHEDRON
       return Hexahedron;
-    case VTK_VOXEL:
+    case 11: // VTK_VOXEL
       return Voxel;
-    case VTK_WEDGE:
-    case VTK_QUADRATIC_WEDGE:
-    case VTK_QUADRATIC_LINEAR_WEDGE:
-    case VTK_BIQUADRATIC_QUADRATIC_WEDGE:
-    case VTK_LAGRANGE_WEDGE:
+    case 13: // VTK_WEDGE
+    case 26: // VTK_QUADRATIC_WEDGE
+    case 31: // VTK_QUADRATIC_LINEAR_WEDGE
+    case 32: // VTK_BIQUADRATIC_QUADRATIC_WEDGE
+    case 73: // VTK_LAGRANGE_WEDGE
       return Wedge;
-    case VTK_PYRAMID:
-    case VTK_QUADRATIC_PYRAMID:
+    case 14: // VTK_PYRAMID
+    case 27: // VTK_QUADRATIC_PYRAMID
       return Pyramid;
     default:
       return {};
   }
 }
 
-int GetSign(const std::array<vtkIdType, 4>& tet, const CornerTets::PlaceOf& placeOf)
+int GetSign(const std::array<std::uint32_t, 4>& tet, const CornerTets::PlaceOf& placeOf)
 {
   return GetOrientation(placeOf(tet[0]), placeOf(tet[1]), placeOf(tet[2]), placeOf(tet[3]));
 }
 }
 
 //------------------------------------------------------------------------------
-CornerTets::CornerTets(vtkUnstructuredGrid* grid, const PlaceOf& placeOf)
+CornerTets::CornerTets(const MeshAccess& mesh, const PlaceOf& placeOf)
 {
-  vtkNew<vtkIdList> points;
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  for (std::uint64_t cell = 0; cell < mesh.GetMesh().Cells; ++cell)
   {
-    const auto corners = GetCorners(grid->GetCellType(cell));
-    if (!corners.empty())
+    const auto begin = mesh.GetBegin(cell);
+    const auto id = [&](std::uint8_t i)
+    { return static_cast<std::uint32_t>(mesh.GetId(begin + i)); };
+    for (const Corners& of : GetCorners(mesh.GetType(cell)))
     {
-      grid->GetCellPoints(cell, points);
-      for (const Corners& of : corners)
-      {
-        this->Tets.push_back({ points->GetId(of[0]), points->GetId(of[1]), points->GetId(of[2]),
-          points->GetId(of[3]) });
-      }
+      this->Tets.push_back({ id(of[0]), id(of[1]), id(of[2]), id(of[3]) });
     }
   }
   this->Signs.resize(this->Tets.size());
@@ -120,9 +113,8 @@ std::size_t CornerTets::MarkTurned(const PlaceOf& placeOf, std::vector<std::uint
     count += list.size();
     for (const auto i : list)
     {
-      for (const auto point : this->Tets[i])
+      for (const auto p : this->Tets[i])
       {
-        const auto p = static_cast<std::size_t>(point);
         marks[p] = static_cast<std::uint8_t>(marks[p] + (isMarked[p] ? 0 : 1));
         isMarked[p] = true;
       }

@@ -5,28 +5,19 @@
 #define gatunPointRounding_h
 
 #include "gatunErrorBound.h"
-
-#include "vtkGatunIOModule.h" // For export macro
-#include "vtkSmartPointer.h"
-
-#ifdef VTK_ABI_NAMESPACE_BEGIN
-VTK_ABI_NAMESPACE_BEGIN
-#endif
-class vtkUnstructuredGrid;
-#ifdef VTK_ABI_NAMESPACE_END
-VTK_ABI_NAMESPACE_END
-#endif
+#include "gatunExport.h" // For export macro
+#include "gatunMeshInput.h"
 
 namespace gatun
 {
 /** Throws Error(InvalidInput) unless coordinates can have the bound: none; absolute, above 0;
  * relative, above 0 and below 1; or 1 to 31 bits. */
-VTKGATUNIO_EXPORT void CheckPointBound(const ErrorBound& bound);
+GATUN_EXPORT void CheckPointBound(const ErrorBound& bound);
 
 /**
- * Returns the grid with rounded coordinates, or the grid itself if nothing changes. Coordinates
- * that are not finite stay, and so do integers. largest becomes the largest difference, if that is
- * larger.
+ * Rounds the coordinates of a mesh whose cells CheckCells and CheckCellSizes have found to be
+ * right. Coordinates that are not finite stay. Returns the largest difference; if it is 0, no bit
+ * changes.
  *
  * Coordinates become multiples of the largest power of two that keeps an absolute bound, or a bound
  * relative to the longest side of the bounding box, so that equal coordinates of several pieces
@@ -37,11 +28,13 @@ VTKGATUNIO_EXPORT void CheckPointBound(const ErrorBound& bound);
  * voxels, wedges and pyramids keep their orientation, in exact arithmetic; flat ones stay flat.
  * Where they would not, their corners are on lattices with 1/2, 1/4, ... of the step, or stay.
  * Throws Error(InvalidInput) if this holds for more than 1 % of the points, or for any point if the
- * grid is not the whole mesh, since other pieces would not know. The message suggests a tolerance
- * that works.
+ * mesh is not whole, since other pieces would not know. The message suggests a tolerance that
+ * works.
+ *
+ * @param to  as many values as mesh.Coordinates has, of the same type
  */
-vtkSmartPointer<vtkUnstructuredGrid> RoundPoints(
-  vtkUnstructuredGrid* grid, const ErrorBound& bound, bool isWhole, double& largest);
+GATUN_EXPORT double RoundPoints(
+  const MeshInput& mesh, const ErrorBound& bound, bool isWhole, void* to);
 }
 
 #endif

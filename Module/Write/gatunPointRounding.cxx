@@ -3,26 +3,19 @@
 
 #include "gatunPointRounding.h"
 
-#include "gatunArrayBridge.h"
 #include "gatunError.h"
-#include "gatunNewArray.h"
 #include "gatunParallel.h"
 #include "gatunTurnedCells.h"
-
-#include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <iomanip>
 #include <limits>
+#include <span>
 #include <sstream>
 #include <vector>
 
@@ -82,16 +75,15 @@ struct Lattice
 /** The box of the coordinates that are finite. */
 struct Box
 {
-  template <typename ArrayT>
-  explicit Box(ArrayT* points)
+  template <typename T>
+  explicit Box(std::span<const T> values)
   {
     std::array<double, 3> largest;
     this->Least.fill(std::numeric_limits<double>::infinity());
     largest.fill(-std::numeric_limits<double>::infinity());
-    const auto* const values = points->GetPointer(0);
-    for (vtkIdType i = 0; i < points->GetNumberOfValues(); ++i)
+    for (std::size_t i = 0; i < values.size(); ++i)
     {
-      const auto axis = static_cast<std::size_t>(i % 3);
+      const auto axis = i % 3;
       const auto value = static_cast<double>(values[i]);
       if (std::isfinite(value))
       {
@@ -138,24 +130,21 @@ Lattice MakeLattice(const Box& box, int bits)
 }
 
 //------------------------------------------------------------------------------
-/** Rounds the values of an array. Returns the largest difference. fineness: of each point. */
-template <typename ArrayT>
+/** Rounds coordinates. Returns the largest difference. fineness: of each point. */
+template <typename T>
 double RoundValues(
-  ArrayT* from, const Lattice& lattice, const std::vector<std::uint8_t>& fineness, ArrayT* to)
+  std::span<const T> from, const Lattice& lattice, const std::vector<std::uint8_t>& fineness, T* to)
 {
-  const auto count = static_cast<std::size_t>(from->GetNumberOfTuples());
+  const auto count = fineness.size();
   std::vector<double> errors(count / PointsPerTask + 1);
-  const auto* const values = from->GetPointer(0);
-  auto* const results = to->GetPointer(0);
   ParallelFor(errors.size(),
     [&](std::size_t task)
     {
       const std::size_t end = 3 * std::min(count, (task + 1) * PointsPerTask);
       for (std::size_t i = 3 * task * PointsPerTask; i < end; ++i)
       {
-        results[i] = lattice.Round(values[i], i % 3, fineness[i / 3]);
-        const double error =
-          std::abs(static_cast<double>(results[i]) - static_cast<double>(values[i]));
+        to[i] = lattice.Round(from[i], i % 3, fineness[i / 3]);
+        const double error = std::abs(static_cast<double>(to[i]) - static_cast<double>(from[i]));
         errors[task] = std::max(errors[task], std::isfinite(error) ? error : 0.0);
       }
     });
@@ -163,12 +152,12 @@ double RoundValues(
 }
 
 //------------------------------------------------------------------------------
-template <typename ArrayT>
-CornerTets::PlaceOf GetPlaces(ArrayT* points)
+template <typename T>
+CornerTets::PlaceOf GetPlaces(const T* points)
 {
-  return [values = points->GetPointer(0)](vtkIdType point)
+  return [points](std::uint64_t point)
   {
-    const auto* const p = values + 3 * point;
+    const auto* const p = points + 3 * point;
     return std::array{ static_cast<double>(p[0]), static_cast<double>(p[1]),
       static_cast<double>(p[2]) };
   };
@@ -176,15 +165,13 @@ CornerTets::PlaceOf GetPlaces(ArrayT* points)
 
 //------------------------------------------------------------------------------
 /** Throws that too many points need finer lattices, and suggests a tolerance that works. */
-template <typename ArrayT>
+template <typename T>
 [[noreturn]] void RefuseTurned(
-  ArrayT* from, const CornerTets& tets, double error, bool isWhole, std::size_t turned)
+  std::span<const T> from, const CornerTets& tets, double error, bool isWhole, std::size_t turned)
 {
-  const auto points = static_cast<std::size_t>(from->GetNumberOfTuples());
+  const auto points = from.size() / 3;
   const std::size_t most = isWhole ? GetMostFine(points) : 0;
-  vtkNew<ArrayT> to;
-  to->SetNumberOfComponents(3);
-  SizeArray(to, from->GetNumberOfTuples());
+  std::vector<T> to(from.size());
   const std::vector<std::uint8_t> coarse(points);
   std::ostringstream message;
   message << "with this tolerance of coordinates, cells turn over at " << turned
@@ -196,9 +183,9 @@ template <typename ArrayT>
   for (; i < decades; ++i)
   {
     error /= 10;
-    RoundValues(from, MakeLattice(error), coarse, to.Get());
+    RoundValues(from, MakeLattice(error), coarse, to.data());
     std::vector<std::uint8_t> marks(points);
-    tets.MarkTurned(GetPlaces(to.Get()), marks);
+    tets.MarkTurned(GetPlaces(to.data()), marks);
     if (CountFine(marks) <= most)
     {
       message << "; a tolerance of " << std::setprecision(2) << error << " works";
@@ -209,19 +196,17 @@ template <typename ArrayT>
 }
 
 //------------------------------------------------------------------------------
-/** Rounds the values of an array so that no cell of the grid turns over. Returns the largest
- * difference. */
-template <typename ArrayT>
+/** Rounds coordinates so that no cell turns over. Returns the largest difference. */
+template <typename T>
 double RoundUpright(
-  vtkUnstructuredGrid* grid, ArrayT* from, const Lattice& lattice, bool isWhole, ArrayT* to)
+  const MeshInput& mesh, std::span<const T> from, const Lattice& lattice, bool isWhole, T* to)
 {
-  const CornerTets tets(grid, GetPlaces(from));
-  const auto points = static_cast<std::size_t>(from->GetNumberOfTuples());
+  const CornerTets tets(MeshAccess(mesh), GetPlaces(from.data()));
+  const auto points = from.size() / 3;
   std::vector<std::uint8_t> fineness(points);
-  double error = 0;
   for (;;)
   {
-    error = RoundValues(from, lattice, fineness, to);
+    const double error = RoundValues(from, lattice, fineness, to);
     const std::size_t turned = tets.MarkTurned(GetPlaces(to), fineness);
     if (turned == 0)
     {
@@ -235,32 +220,22 @@ double RoundUpright(
 }
 
 //------------------------------------------------------------------------------
-template <typename ArrayT>
-vtkSmartPointer<vtkDataArray> RoundArray(
-  vtkUnstructuredGrid* grid, const ErrorBound& bound, bool isWhole, double& largest)
+template <typename T>
+double RoundAs(const MeshInput& mesh, const ErrorBound& bound, bool isWhole, void* to)
 {
-  vtkDataArray* const points = grid->GetPoints()->GetData();
-  auto* from = ArrayT::FastDownCast(points);
-  vtkNew<ArrayT> copy;
-  if (!from)
-  {
-    copy->DeepCopy(points);
-    from = copy;
-  }
+  const std::span from(
+    static_cast<const T*>(mesh.Coordinates), 3 * static_cast<std::size_t>(mesh.Points));
   const Box box(from);
   const Lattice lattice = bound.Kind == ErrorKind::Bits
     ? MakeLattice(box, static_cast<int>(bound.Bound))
     : MakeLattice(bound.Bound * (bound.Kind == ErrorKind::Relative ? box.Side : 1));
-  if (!(lattice.Step > 0))
+  const double error =
+    lattice.Step > 0 ? RoundUpright(mesh, from, lattice, isWhole, static_cast<T*>(to)) : 0;
+  if (error == 0 && !from.empty())
   {
-    return nullptr;
+    std::memcpy(to, from.data(), from.size_bytes()); // -0 stays
   }
-  auto to = vtkSmartPointer<ArrayT>::New();
-  to->SetNumberOfComponents(3);
-  SizeArray(to, from->GetNumberOfTuples());
-  const double error = RoundUpright(grid, from, lattice, isWhole, to.Get());
-  largest = std::max(largest, error);
-  return error > 0 ? vtkSmartPointer<vtkDataArray>(to) : nullptr;
+  return error;
 }
 }
 
@@ -302,27 +277,9 @@ void CheckPointBound(const ErrorBound& bound)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkUnstructuredGrid> RoundPoints(
-  vtkUnstructuredGrid* grid, const ErrorBound& bound, bool isWhole, double& largest)
+double RoundPoints(const MeshInput& mesh, const ErrorBound& bound, bool isWhole, void* to)
 {
-  const int type = grid->GetNumberOfPoints() > 0 ? grid->GetPoints()->GetDataType() : VTK_VOID;
-  if (!bound || (type != VTK_FLOAT && type != VTK_DOUBLE))
-  {
-    return grid;
-  }
-  const auto rounded = type == VTK_FLOAT
-    ? RoundArray<vtkFloatArray>(grid, bound, isWhole, largest)
-    : RoundArray<vtkDoubleArray>(grid, bound, isWhole, largest);
-  if (!rounded)
-  {
-    return grid;
-  }
-  vtkNew<vtkPoints> places;
-  CopyNames(grid->GetPoints()->GetData(), rounded);
-  places->SetData(rounded);
-  auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  result->ShallowCopy(grid);
-  result->SetPoints(places);
-  return result;
+  return mesh.CoordinateType == ScalarType::Float32 ? RoundAs<float>(mesh, bound, isWhole, to)
+                                                    : RoundAs<double>(mesh, bound, isWhole, to);
 }
 }
