@@ -122,9 +122,9 @@ bool MergeCosts<N>::FindVolumes(std::uint32_t place)
     {
       const auto& c = tets.Corners;
       const std::size_t at = 2 * half + lane;
-      const bool all = (2 * i + lane < this->Star.NumberOfTets) & (c[0][at] != place) &
+      const bool kept = (2 * i + lane < this->Star.NumberOfTets) & (c[0][at] != place) &
         (c[1][at] != place) & (c[2][at] != place);
-      return all ? 1.0 : 0.0;
+      return kept ? 1.0 : 0.0;
     };
     const Double2 present{ stays(0), stays(1) };
     const Double2 doubtful = SelectGreater(volume, tets.Least[half], zero, present);

@@ -8,6 +8,7 @@
 
 #include <gatun.h>
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -186,7 +187,7 @@ static uint64_t hash_surfaces(gatun_file* file, const gatun_info* info, const ga
       middle = range[0] + (range[1] - range[0]) / 2;
       contour.array = number;
       contour.values = &middle;
-      contour.value_count = range[0] <= range[1] && middle - middle == 0; /* finite */
+      contour.value_count = range[0] <= range[1] && isfinite(middle);
       stop_unless(gatun_prepare_contour(file, &request, &contour, &sizes, NULL, NULL, &prepared));
       got = read_piece(file, prepared, &sizes, &request);
       hash = add_piece(hash, &got);
@@ -230,7 +231,7 @@ static gatun_status write_copy(
   mesh.face_locations = from->buffers.face_locations.data;
   mesh.faces = from->buffers.faces.data;
   mesh.faces_size = from->sizes.faces;
-  if (from->sizes.cell_type == 5) /* triangles; tetrahedra need no offsets and types */
+  if (from->sizes.cell_type == 5) /* without types, all are tetrahedra */
   {
     offsets = allocate(8 * (mesh.cells + 1));
     types = allocate(mesh.cells);
