@@ -408,8 +408,12 @@ extern "C"
     const double* colors; /**< value, red, green, blue (0 to 1) by ascending value; null: violet to
                              yellow over the values of the mesh */
     size_t color_count;
+    int32_t spread_colors; /**< whether the values of colors go from 0 to 1, and are spread over the
+                              range */
     const double* opacities; /**< value, opacity over the unit distance; null: from the histogram */
     size_t opacity_count;
+    double range[2]; /**< the smallest and largest value of default colors and opacities; equal: those
+                        of the mesh, with default opacities without a few outliers */
     double
       opacity_scale; /**< a factor for the opacities of the histogram, which are at most 1; 0: 1
                       */

@@ -181,19 +181,28 @@ public:
     Need(image.opacities || image.opacity_count == 0, "the opacities are missing");
     this->Colors = TakeRows<4>(image.colors, image.color_count);
     this->Opacities = TakeRows<2>(image.opacities, image.opacity_count);
+    Need(image.range[0] <= image.range[1], "the range is empty");
+    const bool hasRange = image.range[0] < image.range[1];
+    Range over{ image.range[0], image.range[1] };
     std::optional<DefaultTransfer> defaults;
-    if (this->Colors.empty() || this->Opacities.empty())
+    const bool needsRange = this->Colors.empty() || image.spread_colors;
+    const bool needsOpacities = this->Opacities.empty() && image.blend == GATUN_COMPOSITE;
+    if (needsOpacities || (needsRange && !hasRange))
     {
-      defaults = MakeDefaultTransfer(SurveyValues(source), unitDistance);
+      defaults = MakeDefaultTransfer(
+        SurveyValues(source), unitDistance, hasRange ? std::optional(over) : std::nullopt);
+      over = defaults->Colors;
     }
     if (this->Colors.empty())
     {
-      const auto& values = defaults->Colors;
       for (const auto& color : GetDefaultColors())
       {
-        this->Colors.push_back({ values.Min + color.Value * (values.Max - values.Min), color.RGB[0],
-          color.RGB[1], color.RGB[2] });
+        this->Colors.push_back({ color.Value, color.RGB[0], color.RGB[1], color.RGB[2] });
       }
+    }
+    for (auto& color : this->Colors)
+    {
+      color[0] = needsRange ? over.Min + color[0] * (over.Max - over.Min) : color[0];
     }
     if (this->Opacities.empty())
     {
@@ -208,9 +217,10 @@ public:
       }
       else
       {
+        const Range& values = hasRange ? over : range;
         for (const auto& node : GetDefaultRamp())
         {
-          this->Opacities.push_back({ range.Min + node.Value * (range.Max - range.Min),
+          this->Opacities.push_back({ values.Min + node.Value * (values.Max - values.Min),
             std::min(scale * node.Opacity, 1.) });
         }
       }

@@ -368,7 +368,7 @@ void vtkGatunDefaults::MakeColors(double least, double most, vtkColorTransferFun
     return;
   }
   colors->RemoveAllPoints();
-  colors->SetColorSpaceToLab();
+  colors->SetColorSpaceToRGB();
   for (const gatun::DefaultColor& color : gatun::GetDefaultColors())
   {
     colors->AddRGBPoint(

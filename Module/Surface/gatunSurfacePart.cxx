@@ -28,7 +28,9 @@ T Convert(double value)
   {
     // The largest 64-bit numbers are rounded up beyond the range of the type.
     constexpr double end = static_cast<double>(std::numeric_limits<T>::max() / 2 + 1) * 2;
-    const double whole = std::round(value);
+    // Not std::round: that of MinGW makes 1 of the largest number below a half.
+    const double inner = std::trunc(value);
+    const double whole = std::abs(value - inner) < 0.5 ? inner : inner + std::copysign(1., value);
     return whole >= end ? std::numeric_limits<T>::max() : static_cast<T>(whole);
   }
   else

@@ -484,8 +484,9 @@ class File:
                 pairs of values and opacities; a function of the value; or a vtkPiecewiseFunction. By
                 default, values that fill most of the volume are nearly transparent, and rare ones are
                 opaque.
-            range: smallest and largest value of ``colors`` and ``opacity``. Default: those of the array
-                over all time steps.
+            range: smallest and largest value of ``colors`` and ``opacity``, also of the default ones. Default:
+                those of the array over all time steps; without time steps, a few outliers are left out of
+                default opacities and the colors with them.
             unit_distance: the length that opacities refer to, in units of the coordinates. Default: 1/100
                 of the diagonal of the bounds.
             shade: whether a light at the camera shades surfaces of equal values.

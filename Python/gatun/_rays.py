@@ -82,17 +82,18 @@ def draw_mesh(file, handle, size, what, view, transfer, progress):
     image.shade = bool(transfer["shade"])
     kept = []
     colors, opacity = transfer["colors"], _take_factor(image, transfer["opacity"])
-    if transfer["range"] is not None and colors is None and opacity is None:
-        raise ValueError("range: needs colors or an opacity, which it is for")
-    if colors is not None or opacity is not None:
-        values = transfer["range"]
-        if values is None:
-            values = check_range(file.find_range(number, component), f"array {file.arrays[number].key!r}")
+    values = transfer["range"]
+    if values is not None:
         values = widen(*check_range(values, "range"))
-        if colors is not None:
-            kept.append(_set_rows(image, "color", list_colors(colors, *values)))
-        if opacity is not None:
-            kept.append(_set_rows(image, "opacity", list_opacities(opacity, *values)))
+    elif opacity is not None or file.has_time:  # images of a series have one scale
+        values = widen(*check_range(file.find_range(number, component), f"array {file.arrays[number].key!r}"))
+    if values is not None:
+        image.range[:] = values
+    if colors is not None:
+        image.spread_colors = not hasattr(colors, "GetColor")  # those of VTK have values
+        kept.append(_set_rows(image, "color", list_colors(colors, 0, 1)))
+    if opacity is not None:
+        kept.append(_set_rows(image, "opacity", list_opacities(opacity, *values)))
     pixels = np.empty((height, width, 4), np.float32)
     buffer = to_buffer(pixels)
     handle.call(library.gatun_render, ctypes.byref(image), ctypes.byref(buffer), progress=progress)

@@ -36,8 +36,7 @@ def render(source: Any, **options: Any) -> np.ndarray:
         options: those of ``gatun.File.render``, with these differences. ``blend`` of volumes is
             ``"composite"``, ``"exponential"`` or ``"xray"``, and their projection is parallel. With ``"mip"``,
             opacities grow with the values. Surfaces are opaque. ``level`` and ``progress`` are for files of
-            meshes with 3D cells. ``range``, without time steps, may also be that of the default opacities, but
-            not of such files; by default, a few outliers are left out there.
+            meshes with 3D cells.
 
     Returns:
         An array of height x width x 4: red, green, blue and opacity, the top row first. Colors are not

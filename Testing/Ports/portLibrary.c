@@ -9,6 +9,7 @@
 #include <gatun.h>
 
 #include <math.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -164,6 +165,41 @@ static piece read_step(gatun_file* file, const gatun_request* request)
   return read_piece(file, prepared, &sizes, request);
 }
 
+/* Bits of NaN that arithmetic makes depend on the system. */
+static void unify_nans(const gatun_buffer* buffer, gatun_type type)
+{
+  float* const narrow = buffer->data;
+  double* const wide = buffer->data;
+  const uint64_t count = buffer->bytes / size_of(type);
+  uint64_t i;
+  for (i = 0; i < count && type == GATUN_FLOAT32; ++i)
+  {
+    narrow[i] = narrow[i] == narrow[i] ? narrow[i] : (float)NAN;
+  }
+  for (i = 0; i < count && type == GATUN_FLOAT64; ++i)
+  {
+    wide[i] = wide[i] == wide[i] ? wide[i] : (double)NAN;
+  }
+}
+
+/* Reads triangles that have been prepared, and adds them. */
+static uint64_t add_surface(uint64_t hash, gatun_file* file, gatun_piece* prepared, const gatun_sizes* sizes,
+  const gatun_request* request)
+{
+  piece got = read_piece(file, prepared, sizes, request);
+  size_t i;
+  unify_nans(&got.buffers.points, sizes->coordinate_type);
+  for (i = 0; i < request->array_count; ++i)
+  {
+    gatun_array array = GATUN_INIT(gatun_array);
+    stop_unless(gatun_get_array(file, request->arrays[i], &array));
+    unify_nans(&got.arrays[i], array.type);
+  }
+  hash = add_piece(hash, &got);
+  free_piece(&got);
+  return hash;
+}
+
 /* An isosurface of the first point array at the middle of its values, and a slice through the
  * middle of the mesh. */
 static uint64_t hash_surfaces(gatun_file* file, const gatun_info* info, const gatun_request* all)
@@ -174,7 +210,6 @@ static uint64_t hash_surfaces(gatun_file* file, const gatun_info* info, const ga
   gatun_piece* prepared = NULL;
   uint32_t number;
   int axis;
-  piece got;
   for (number = 0; number < info->arrays; ++number)
   {
     gatun_array array = GATUN_INIT(gatun_array);
@@ -189,9 +224,7 @@ static uint64_t hash_surfaces(gatun_file* file, const gatun_info* info, const ga
       contour.values = &middle;
       contour.value_count = range[0] <= range[1] && isfinite(middle);
       stop_unless(gatun_prepare_contour(file, &request, &contour, &sizes, NULL, NULL, &prepared));
-      got = read_piece(file, prepared, &sizes, &request);
-      hash = add_piece(hash, &got);
-      free_piece(&got);
+      hash = add_surface(hash, file, prepared, &sizes, &request);
       break;
     }
   }
@@ -201,10 +234,7 @@ static uint64_t hash_surfaces(gatun_file* file, const gatun_info* info, const ga
     request.normal[axis] = axis + 1;
   }
   stop_unless(gatun_prepare_slice(file, &request, &sizes, NULL, NULL, &prepared));
-  got = read_piece(file, prepared, &sizes, &request);
-  hash = add_piece(hash, &got);
-  free_piece(&got);
-  return hash;
+  return add_surface(hash, file, prepared, &sizes, &request);
 }
 
 /* Writes a step to a file, in its order. */
