@@ -412,11 +412,9 @@ extern "C"
                               range */
     const double* opacities; /**< value, opacity over the unit distance; null: from the histogram */
     size_t opacity_count;
-    double range[2]; /**< the smallest and largest value of default colors and opacities; equal: those
-                        of the mesh, with default opacities without a few outliers */
-    double
-      opacity_scale; /**< a factor for the opacities of the histogram, which are at most 1; 0: 1
-                      */
+    double range[2]; /**< the smallest and largest value of default colors and opacities; equal:
+                        those of the mesh, with default opacities without a few outliers */
+    double opacity_scale; /**< a factor for default opacities, which are at most 1; 0: 1 */
     double unit_distance; /**< 0: a hundredth of the diagonal of the bounds */
     int32_t shade;        /**< a light at the camera shades surfaces of equal values */
 
