@@ -20,12 +20,13 @@ assert back.point_data["sum"].tobytes() == values.tobytes()
 image = gatun.render(path, size=(64, 48))
 assert image.shape == (48, 64, 4) and image.max() > image.min()
 
-# The plugin and the package have the same classes.
+# The plugin and the package have the same classes, where Python knows them before it meets an object.
+from gatun.vtk import vtkGatunContour  # pylint: disable=wrong-import-position
 from gatunParaView import load_plugin  # pylint: disable=wrong-import-position
 
 simple = load_plugin()
 reader = simple.GatunReader(FileNames=[path])
 reader.UpdatePipeline()
 contour = simple.GatunContour(Input=reader)
-assert isinstance(contour.SMProxy.GetClientSideObject(), gatun.vtk.vtkGatunContour)
+assert isinstance(contour.SMProxy.GetClientSideObject(), vtkGatunContour)
 assert reader.GetDataInformation().GetNumberOfCells() == len(tets)
