@@ -189,8 +189,8 @@ public:
     const bool needsOpacities = this->Opacities.empty() && image.blend == GATUN_COMPOSITE;
     if (needsOpacities || (needsRange && !hasRange))
     {
-      defaults = MakeDefaultTransfer(
-        SurveyValues(source), unitDistance, hasRange ? std::optional(over) : std::nullopt);
+      const auto given = hasRange ? std::optional(over) : std::nullopt;
+      defaults = MakeDefaultTransfer(SurveyValues(source, given), unitDistance, given);
       over = defaults->Colors;
     }
     if (this->Colors.empty())
