@@ -24,15 +24,14 @@ try:
     import gatun
 except ImportError:
     sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-    try:
-        import gatun
-    except ImportError as error:  # of which ParaView 5.11 would say that there is no module imp
-        raise RuntimeError(f"{__file__}: the folder gatun has to be beside this file ({error})") from None
-
-from gatun import _paraview_xml as xml
-from gatun._paraview_files import find_entry, list_files, merge_times
-from gatun._ranks import GatheredSeries, Ranks
-from gatun._vtk_mesh import read_mesh
+try:
+    import gatun
+    from gatun import _paraview_xml as xml
+    from gatun._paraview_files import find_entry, list_files, merge_times
+    from gatun._ranks import GatheredSeries, Ranks, pause_collection
+    from gatun._vtk_mesh import read_mesh
+except ImportError as error:  # of which ParaView 5 would say that there is no module imp
+    raise RuntimeError(f"{__file__}: the package gatun, which belongs beside this file: {error}") from None
 
 paraview_plugin_version = gatun.__version__
 
@@ -101,18 +100,11 @@ class _Reader(VTKPythonAlgorithmBase):
     def _run(self, work, out_info):
         """Calls a function. Returns 1, or 0 if it fails on any process."""
         info = out_info.GetInformationObject(0)
-        failure = None
+        result = _DONE
         try:
             work(info)
         except Exception as error:  # pylint: disable=broad-except
-            failure = error
-        result = _DONE
-        if failure:
-            result = _ABORTED if getattr(failure, "name", "") == "AbortedError" else _FAILED
-        if result == _FAILED:
-            self._file = self._stamp = None
-            if not isinstance(failure, _ReportedError):
-                _report(failure)
+            result = self._fail(error)
         result = self._agree(result)
         output = info.Get(vtkDataObject.DATA_OBJECT())
         if result != _DONE and output:
@@ -121,13 +113,24 @@ class _Reader(VTKPythonAlgorithmBase):
             info.Set(Pipeline.DATA_NOT_GENERATED(), 1)
         return int(result != _FAILED)
 
+    def _fail(self, error):
+        """Reports an error. Returns the result of the request."""
+        if getattr(error, "name", "") == "AbortedError":
+            return _ABORTED
+        self._file = self._stamp = None
+        if not isinstance(error, _ReportedError):
+            _report(error)
+        return _FAILED
+
     def _agree(self, result):
         """The worst result of all processes."""
         return Ranks().find_least(result)
 
+    @pause_collection()
     def RequestInformation(self, _request, _in_info, out_info):
         return self._run(self._inform, out_info)
 
+    @pause_collection()
     def RequestData(self, _request, _in_info, out_info):
         return self._run(self._read, out_info)
 
@@ -240,6 +243,7 @@ class GatunReader(_Reader):
     def GetIsOnDemand(self):
         return self._is_on_demand
 
+    @pause_collection()
     def RequestDataObject(self, _request, _in_info, out_info):
         kind = vtkUnstructuredGrid
         try:
@@ -314,7 +318,7 @@ class GatunReader(_Reader):
         try:
             mesh = read_mesh(file, progress=self._progress, **options)
         except ValueError as error:
-            if isinstance(error, gatun.Error):  # which names the file
+            if str(error).startswith(entry.path):
                 raise
             raise ValueError(f"{entry.path}: {error}") from None
         self._give(mesh, info, entry)
@@ -465,16 +469,17 @@ class GatunWriter(VTKPythonAlgorithmBase):
                 raise ValueError(f"Array Tolerances: {text!r} has to be a name, '=' and a bound, as pressure=rel:1e-3")
         return {name: bound for name, _, bound in pairs}
 
+    @pause_collection()
     def Write(self):
         """Writes the file. Returns 1, or 0 if it fails on any process."""
         series = GatheredSeries(self.GetInputConnection(0, 0), self._writes_all_steps)
-        failure = None
+        is_done = True
         try:
             series.run(self._write)
         except Exception as error:  # pylint: disable=broad-except
-            failure = error
+            is_done = False
             _report(error)
-        return Ranks().find_least(int(failure is None))
+        return Ranks().find_least(int(is_done))
 
     def _write(self, series):
         """Writes meshes on the first process."""

@@ -7,7 +7,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkAbstractArray, vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkPointData, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkAppendPolyData
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkAppendPolyData, vtkExtractCells
 
 _IDS = "gatun global ids of points"
 _GHOSTS = vtkDataSetAttributes.GhostArrayName()
@@ -21,7 +21,10 @@ def prepare_piece(piece):
     """Removes cells of other pieces, and arrays that readers make for pieces."""
     ghosts = piece.GetCellData().GetArray(_GHOSTS)
     if ghosts and np.any(vtk_to_numpy(ghosts) & vtkDataSetAttributes.DUPLICATECELL):
-        piece.RemoveGhostCells()
+        if isinstance(piece, vtkPolyData):
+            piece.RemoveGhostCells()
+        else:
+            piece = _extract_cells(piece, vtk_to_numpy(ghosts) & vtkDataSetAttributes.DUPLICATECELL == 0)
     for data in (piece.GetPointData(), piece.GetCellData()):
         _clear_duplicates(data)
     ids = piece.GetPointData().GetGlobalIds()
@@ -34,6 +37,28 @@ def prepare_piece(piece):
         ids = data.GetGlobalIds()
         if ids and ids.GetInformation().Has(vtkAbstractArray.GUI_HIDE()):
             data.RemoveArray(ids.GetName())
+    return piece
+
+
+def _make_id_list(ids):
+    made = vtkIdList()
+    made.SetNumberOfIds(len(ids))
+    for i, number in enumerate(ids.tolist()):
+        made.SetId(i, number)
+    return made
+
+
+def _extract_cells(grid, is_kept):
+    """A grid with some of the cells. What RemoveGhostCells of VTK 9.6 leaves of polyhedra loses cells when it is sent."""
+    extract = vtkExtractCells()
+    extract.SetInputData(grid)
+    extract.SetCellList(_make_id_list(np.flatnonzero(is_kept)))
+    extract.PassThroughCellIdsOff()
+    extract.Update()
+    piece = extract.GetOutput()
+    piece.GetPoints().GetData().SetName(grid.GetPoints().GetData().GetName())
+    piece.GetFieldData().ShallowCopy(grid.GetFieldData())
+    piece.GetInformation().Copy(grid.GetInformation())
     return piece
 
 
@@ -143,10 +168,7 @@ def _merge_points(mesh, first):
     if is_kept.all():
         return
     target = (np.cumsum(is_kept) - 1)[first]
-    kept = vtkIdList()
-    kept.SetNumberOfIds(int(is_kept.sum()))
-    for i, point in enumerate(np.flatnonzero(is_kept).tolist()):
-        kept.SetId(i, point)
+    kept = _make_id_list(np.flatnonzero(is_kept))
     for cells in _list_cell_arrays(mesh):
         ids = vtk_to_numpy(cells.GetConnectivityArray())
         ids[...] = target[ids]

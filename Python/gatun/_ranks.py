@@ -3,6 +3,8 @@
 
 """The processes of a parallel ParaView, and meshes of which each has a piece."""
 
+import contextlib
+import gc
 from collections.abc import Sequence
 
 from vtkmodules.vtkCommonCore import vtkIntArray
@@ -15,6 +17,22 @@ from ._join import join_pieces, prepare_piece
 
 _TAG = 47710
 _END = -1
+
+
+@contextlib.contextmanager
+def pause_collection():
+    """Keeps Python from collecting garbage, for the requests of a pipeline.
+
+    It may hold proxies of ParaView. One that is deleted on the first process tells all others, which do not listen
+    while they carry out a request.
+    """
+    was_enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_enabled:
+            gc.enable()
 
 
 class Ranks:
@@ -108,22 +126,26 @@ class GatheredSeries(Sequence):
             try:
                 self._collect(number)
             except Exception as error:  # pylint: disable=broad-except
-                failure = error
+                # Not its frames, nor those that have called them: a proxy in one of them has to end with its script.
+                failure = error.with_traceback(None)
         if failure:
-            raise failure
+            try:
+                raise failure
+            finally:
+                del failure
 
     def _get_info(self):
         return self._executive.GetOutputInformation(self._port)
 
     def _collect(self, number):
         """The mesh of a step on the first process, and None on the others."""
-        piece, failure = None, None
         try:
             piece = self._update(number)
-        except Exception as error:  # pylint: disable=broad-except
-            failure = error
-        if not self._ranks.find_least(int(failure is None)):
-            raise failure or Error("another process cannot give its piece of the mesh")
+        except Exception:
+            self._ranks.find_least(0)
+            raise
+        if not self._ranks.find_least(1):
+            raise Error("another process cannot give its piece of the mesh")
         if self._ranks.count == 1:
             return piece
         pieces = self._ranks.gather(piece)
