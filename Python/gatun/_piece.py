@@ -165,7 +165,8 @@ def _add_cells(target, sizes, integer):
     if sizes.cell_type:
         # The library does not want those that follow from the type.
         offsets = target.make("offsets", integer, (cells + 1,))
-        offsets[...] = np.arange(cells + 1, dtype=integer) * _CORNERS[sizes.cell_type]
+        corners = _CORNERS[sizes.cell_type]
+        offsets[...] = np.arange(0, corners * (cells + 1), corners, dtype=integer)
         types = target.make("types", np.uint8, (cells,))
         types[...] = sizes.cell_type
         return {**found, "offsets": offsets, "types": types}
