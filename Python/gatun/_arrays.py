@@ -15,6 +15,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkGenericCell, vtkImage
 
 from ._cells import NAMES, POLYHEDRON, CellType, Mesh, as_points, join_blocks, join_corners, list_blocks
 from ._numbers import fill_masked
+from ._surface_lists import LIST_OF_TYPE, SURFACE_LISTS, find_types
+from ._values import get_types, get_values
 from ._values import to_numpy as _to_values
 from ._values import to_vtk
 
@@ -55,23 +57,17 @@ def _make_grid(blocks, points):
 
 def _make_surface(blocks, points):
     """A vtkPolyData. Its lists have an order of their own, in which blocks have to be."""
-    lists = [
-        ("SetVerts", (1, 2)),
-        ("SetLines", (3, 4)),
-        ("SetPolys", (5, 7, 9)),
-        ("SetStrips", (6,)),
-    ]
-    places = [next((i for i, (_, kinds) in enumerate(lists) if n in kinds), -1) for n, _ in blocks]
+    places = [LIST_OF_TYPE[n] if 0 <= n < len(LIST_OF_TYPE) else -1 for n, _ in blocks]
     if -1 in places:
         name = NAMES.get(blocks[places.index(-1)][0], blocks[places.index(-1)][0])
         raise ValueError(f"cells: a surface has no {name!r}")
     if places != sorted(places):
         raise ValueError("cells: a surface has vertices first, then lines, polygons and strips")
     surface = vtkPolyData()
-    for i, (method, _) in enumerate(lists):
+    for i, (name, *_) in enumerate(SURFACE_LISTS):
         some = [corners for place, (_, corners) in zip(places, blocks) if place == i]
         if some:
-            getattr(surface, method)(_make_cells(some, points))
+            getattr(surface, f"Set{name}")(_make_cells(some, points))
     return surface
 
 
@@ -175,31 +171,16 @@ def _get_field_data(data, copy):
     return arrays
 
 
-def _get_types(grid):
-    """The types of the cells of a grid. From VTK 9.6 on they need not be an array of bytes."""
-    try:
-        return _to_values(grid.GetCellTypes(), copy=False)
-    except TypeError:  # with VTK 9.5 and before, this has a parameter
-        return _to_values(grid.GetCellTypesArray(), copy=False)
-
-
-# The types of cells of the lists of vtkPolyData: of those with some numbers of points, and of others.
-_SURFACE_TYPES = (({1: 1}, 2), ({2: 3}, 4), ({3: 5, 4: 9}, 7), ({}, 6))
-
-
 def get_cell_lists(mesh):
     """Pairs of the types of some cells and their vtkCellArray, in the order of the cells."""
     if isinstance(mesh, vtkUnstructuredGrid):
-        return [(_get_types(mesh), mesh.GetCells())] if mesh.GetNumberOfCells() else []
+        return [(get_types(mesh), mesh.GetCells())] if mesh.GetNumberOfCells() else []
     lists = []
-    there = (mesh.GetVerts(), mesh.GetLines(), mesh.GetPolys(), mesh.GetStrips())
-    for (single, other), cells in zip(_SURFACE_TYPES, there):
+    for name, known, other in SURFACE_LISTS:
+        cells = getattr(mesh, f"Get{name}")()
         if cells.GetNumberOfCells():
             # Not by mesh.GetCellType, which ends the process where cells have no points.
-            sizes = np.diff(_to_values(cells.GetOffsetsArray(), copy=False))
-            types = np.full(len(sizes), other, np.uint8)
-            for size, number in single.items():
-                types[sizes == size] = number
+            types = find_types(np.diff(get_values(cells.GetOffsetsArray())), known, other)
             lists.append((types, cells))
     return lists
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 from vtkmodules.util.numpy_support import get_vtk_array_type, vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_BIT, VTK_UNSIGNED_CHAR, vtkDataArray, vtkStringArray
+from vtkmodules.vtkCommonCore import VTK_BIT, vtkDataArray, vtkStringArray, vtkUnsignedCharArray
 
 from ._numbers import as_numbers
 
@@ -42,6 +42,34 @@ def to_vtk(values, name, what):
     return result
 
 
+def get_values(array):
+    """The numbers of an array, in its memory if its tuples lie in it one by one."""
+    if array.GetDataType() == VTK_BIT:
+        values = vtkUnsignedCharArray()
+        values.DeepCopy(array)
+    elif array.HasStandardMemoryLayout():
+        values = array
+    else:
+        values = vtkDataArray.CreateDataArray(array.GetDataType())
+        values.SetNumberOfComponents(array.GetNumberOfComponents())
+        values.SetNumberOfTuples(array.GetNumberOfTuples())
+        if array.GetNumberOfValues() == 1:
+            # VTK 9.6 does not export a single value of an implicit array.
+            values.SetTuple(0, 0, array)
+        elif array.GetNumberOfValues() > 0:
+            array.ExportToVoidPointer(vtk_to_numpy(values))  # no DeepCopy, which may go through doubles
+    return vtk_to_numpy(values)
+
+
+def get_types(grid):
+    """The types of the cells. From VTK 9.6 on they need not be an array of bytes."""
+    try:
+        types = grid.GetCellTypes()
+    except TypeError:  # with VTK 9.5 and before, this has a parameter
+        types = grid.GetCellTypesArray()
+    return np.empty(0, np.uint8) if types is None else get_values(types)
+
+
 def to_numpy(array, copy=True):
     """The numbers or texts of an array of VTK.
 
@@ -55,10 +83,6 @@ def to_numpy(array, copy=True):
         texts = np.array([array.GetVariantValue(i).ToString() for i in range(count)], str)
         components = array.GetNumberOfComponents()
         return texts.reshape(-1, components) if components > 1 else texts
-    is_bits = array.GetDataType() == VTK_BIT
-    if is_bits or not array.HasStandardMemoryLayout():
-        own = vtkDataArray.CreateDataArray(VTK_UNSIGNED_CHAR if is_bits else array.GetDataType())
-        own.DeepCopy(array)
-        return vtk_to_numpy(own)
-    values = vtk_to_numpy(array)
-    return values.copy() if copy else values
+    values = get_values(array)
+    is_shared = array.GetDataType() != VTK_BIT and array.HasStandardMemoryLayout()
+    return values.copy() if copy and is_shared else values

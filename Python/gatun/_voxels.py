@@ -57,7 +57,7 @@ class Image:
 
 def _take_vtk(image, names):
     """A vtkImageData as an Image, and the type of its array in VTK."""
-    from ._vtk_input import get_values
+    from ._values import get_values
 
     if image.GetNumberOfPoints() == 0:
         raise ValueError("data: the volume is empty")

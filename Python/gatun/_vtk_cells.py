@@ -10,16 +10,8 @@ from vtkmodules.vtkCommonCore import vtkTypeInt32Array, vtkTypeInt64Array
 from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 from ._exceptions import Error
+from ._surface_lists import LIST_OF_TYPE, SURFACE_LISTS
 from ._vtk_arrays import allocate
-
-#: The lists of vtkPolyData in their order: how each is set, and the types of its cells.
-SURFACE_LISTS = {"SetVerts": (1, 2), "SetLines": (3, 4), "SetPolys": (5, 7, 9), "SetStrips": (6,)}
-
-# The number of the list of each type.
-_LISTS = np.full(256, -1)
-for _number, _types in enumerate(SURFACE_LISTS.values()):
-    _LISTS[list(_types)] = _number
-
 
 def make_cells(offsets, ids):
     """A vtkCellArray. It shares the memory of vtkTypeInt32Array and vtkTypeInt64Array."""
@@ -55,16 +47,17 @@ def make_lists(cells, grid):
     Returns:
         The lists; and the numbers of the cells in the order of these lists, or None if they are in it.
     """
-    lists = _LISTS[grid.types]
+    lists = LIST_OF_TYPE[grid.types]
     if np.any(lists < 0):
         raise Error(f"a surface has a cell of type {grid.types[np.argmin(lists)]}", 20005, "FileFormatError")
+    setters = [f"Set{name}" for name, *_ in SURFACE_LISTS]
     counts = np.bincount(lists, minlength=len(SURFACE_LISTS))
     if np.count_nonzero(counts) <= 1:
-        return {setter: cells for setter, count in zip(SURFACE_LISTS, counts) if count}, None
+        return {setter: cells for setter, count in zip(setters, counts) if count}, None
     is_sorted = bool(np.all(lists[1:] >= lists[:-1]))
     order = np.argsort(lists, kind="stable")
     found = {}
-    for setter, chosen in zip(SURFACE_LISTS, np.split(order, np.cumsum(counts)[:-1])):
+    for setter, chosen in zip(setters, np.split(order, np.cumsum(counts)[:-1])):
         if len(chosen):
             found[setter] = _copy_cells(*_gather(grid.offsets, grid.connectivity, chosen))
     return found, None if is_sorted else order

@@ -6,28 +6,21 @@
 from __future__ import annotations
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_BIT, vtkDataArray, vtkStringArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkDataArray, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes
 
 from ._description import Array
 from ._field_input import Fields
 from ._mesh_data import MeshData
 from ._meshes import CellInput
+from ._surface_lists import SURFACE_LISTS, find_types
+from ._values import get_types, get_values
 from ._vtk_keys import find_keys
 from ._warnings import warn
 
 _TETRA = 10
 _POLYHEDRON = 42
 _MOST_EXACT = float(1 << 53)  # up to here every integer is a double
-
-# The lists of vtkPolyData in the order of its cells: the types of cells by their sizes, and of all others.
-_SURFACE_LISTS = {
-    "GetVerts": ({1: 1}, 2),
-    "GetLines": ({2: 3}, 4),
-    "GetPolys": ({3: 5, 4: 9}, 7),
-    "GetStrips": ({}, 6),
-}
 
 _NO_CELLS = {
     "connectivity": np.empty(0, np.int64),
@@ -38,25 +31,6 @@ _NO_CELLS = {
 
 # ------------------------------------------------------------------------------
 # Arrays
-
-
-def get_values(array):
-    """The numbers of an array, in its memory if its tuples lie in it one by one."""
-    if array.GetDataType() == VTK_BIT:
-        values = vtkUnsignedCharArray()
-        values.DeepCopy(array)
-    elif array.HasStandardMemoryLayout():
-        values = array
-    else:
-        values = vtkDataArray.CreateDataArray(array.GetDataType())
-        values.SetNumberOfComponents(array.GetNumberOfComponents())
-        values.SetNumberOfTuples(array.GetNumberOfTuples())
-        if array.GetNumberOfValues() == 1:
-            # VTK 9.6 does not export a single value of an implicit array.
-            values.SetTuple(0, 0, array)
-        elif array.GetNumberOfValues() > 0:
-            array.ExportToVoidPointer(vtk_to_numpy(values))  # no DeepCopy, which may go through doubles
-    return vtk_to_numpy(values)
 
 
 def _as_text(text):
@@ -155,15 +129,6 @@ def _take_ids(cells):
     return [array.astype(np.int32 if narrow else np.int64, copy=False) for array in arrays]
 
 
-def _get_types(grid):
-    """The types of the cells. From VTK 9.6 on they need not be an array of bytes."""
-    try:
-        types = grid.GetCellTypes()
-    except TypeError:  # with VTK 9.5 and before, this has a parameter
-        types = grid.GetCellTypesArray()
-    return np.empty(0, np.uint8) if types is None else get_values(types)
-
-
 def make_face_stream(lists, faces, is_polyhedron):
     """The faces of polyhedra in one list: of each one the number of its faces, and of each face the number
     of its corners and them. Returns the list, and where each cell begins in it, or -1.
@@ -213,7 +178,7 @@ def _take_faces(grid, types):
 def _take_grid(grid):
     """Members of a CellInput for the cells of a vtkUnstructuredGrid."""
     cells = grid.GetCells()
-    types = _get_types(grid)
+    types = get_types(grid)
     count = 0 if cells is None else cells.GetNumberOfCells()
     if len(types) != count:
         raise ValueError("the number of cell types is not that of the cells")
@@ -233,18 +198,13 @@ def _take_grid(grid):
 def _take_surface(surface):
     """Members of a CellInput for the four lists of a vtkPolyData."""
     filled = []
-    for getter, kinds in _SURFACE_LISTS.items():
-        cells = getattr(surface, getter)()
+    for name, *kinds in SURFACE_LISTS:
+        cells = getattr(surface, f"Get{name}")()
         if cells is not None and cells.GetNumberOfCells() > 0:
             filled.append((*_take_ids(cells), *kinds))
     if not filled:
         return _NO_CELLS
-    types = []
-    for offsets, _, known, other in filled:
-        table = np.full(6, other, np.uint8)  # by size, up to 5 and more
-        for size, kind in known.items():
-            table[size] = kind
-        types.append(table[np.clip(np.diff(offsets), 0, 5)])
+    types = [find_types(np.diff(offsets), known, other) for offsets, _, known, other in filled]
     if len(filled) == 1:
         return {"connectivity": filled[0][1], "offsets": filled[0][0], "types": types[0]}
     total = sum(len(ids) for _, ids, *_ in filled)
