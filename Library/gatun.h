@@ -452,7 +452,7 @@ extern "C"
     int32_t is_surface;         /**< cells in the order of vtkPolyData */
     const void* coordinates;
     const void* connectivity;
-    const uint8_t* types; /**< null: all are tetrahedra, and the rest is null */
+    const uint8_t* types; /**< null: all are tetrahedra, and all below but point_array is null */
     const void* offsets;  /**< cells + 1 */
     const int64_t* face_locations;
     const int64_t* faces;

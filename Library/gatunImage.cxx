@@ -23,7 +23,6 @@ namespace
 using Vector = std::array<double, 3>;
 
 constexpr double DefaultViewAngle = 30; // degrees
-constexpr double UnitsPerDiagonal = 100;
 constexpr double SamplesPerUnit = 4;
 
 double Dot(const Vector& a, const Vector& b)
@@ -291,9 +290,8 @@ void Render(gatun_file& file, const gatun_image& image, float* rgba,
   {
     range.Include(blocks->GetRange(block));
   }
-  const double unit = image.unit_distance > 0
-    ? image.unit_distance
-    : GetPositiveDiagonal(mesh.GetBounds(place.Step)) / UnitsPerDiagonal;
+  const double unit = image.unit_distance > 0 ? image.unit_distance
+                                              : GetDefaultUnitDistance(mesh.GetBounds(place.Step));
   const Camera camera(image, mesh, place.Step);
   const double sample = unit / SamplesPerUnit;
   const RayView view(camera.GetToEye(), camera.GetFrustum(), static_cast<int>(image.width),

@@ -33,9 +33,10 @@ Region TakeRegion(const gatun_request& from)
   }
   if (from.flags & GATUN_ON_PLANE)
   {
-    auto& plane = region.Section.emplace();
+    Region::Plane plane;
     std::copy_n(from.origin, 3, plane.Origin.begin());
     std::copy_n(from.normal, 3, plane.Normal.begin());
+    region.Section = plane;
   }
   return region;
 }

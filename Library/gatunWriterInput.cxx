@@ -3,6 +3,7 @@
 
 #include "gatunWriterInput.h"
 
+#include "gatunCellShapes.h"
 #include "gatunError.h"
 #include "gatunMeshAccess.h"
 #include "gatunMeshCheck.h"
@@ -10,10 +11,30 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
+#include <span>
 #include <utility>
 
 namespace gatun
 {
+namespace
+{
+/** Takes the types from a mesh of tetrahedra alone, or of no cells. */
+void DropTypes(MeshInput& mesh)
+{
+  const MeshAccess access(mesh);
+  const std::span<const std::uint8_t> types(mesh.Types, mesh.Cells);
+  const auto isTetra = [](std::uint8_t type) { return type == TetraType; };
+  if (access.GetBegin(0) == 0 && std::all_of(types.begin(), types.end(), isTetra))
+  {
+    mesh.Types = nullptr;
+    mesh.Offsets = nullptr;
+    mesh.FaceLocations = nullptr;
+    mesh.Faces = nullptr;
+    mesh.FacesSize = 0;
+  }
+}
+}
+
 //------------------------------------------------------------------------------
 MeshInput TakeMesh(const gatun_mesh& from)
 {
@@ -37,6 +58,10 @@ MeshInput TakeMesh(const gatun_mesh& from)
   const MeshAccess access(mesh);
   CheckCells(access);
   CheckCellSizes(access);
+  if (mesh.Types && (mesh.Cells == 0 || !from.is_surface))
+  {
+    DropTypes(mesh);
+  }
   if (from.point_array)
   {
     const auto array = Take(from.point_array);

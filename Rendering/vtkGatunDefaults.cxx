@@ -51,20 +51,6 @@ vtkStandardNewMacro(vtkGatunDefaults);
 
 namespace
 {
-// As of gtn.
-constexpr double UnitsPerDiagonal = 100;
-
-//------------------------------------------------------------------------------
-double GetDiagonal(const gatun::Bounds& box)
-{
-  double diagonal = 0;
-  for (const gatun::Range& range : box)
-  {
-    diagonal = std::hypot(diagonal, range.Max - range.Min);
-  }
-  return diagonal > 0 && std::isfinite(diagonal) ? diagonal : 1;
-}
-
 //------------------------------------------------------------------------------
 gatun::FramingView MakeView(vtkCamera* camera, double aspect)
 {
@@ -334,7 +320,7 @@ bool vtkGatunDefaults::MakeFunctions(
     }
     const gatun::ValueSurvey survey = this->Internals->Survey(*this, range);
     const double unit =
-      this->UnitDistance > 0 ? this->UnitDistance : GetDiagonal(survey.Box) / UnitsPerDiagonal;
+      this->UnitDistance > 0 ? this->UnitDistance : gatun::GetDefaultUnitDistance(survey.Box);
     this->Internals->Unit = unit;
     const gatun::DefaultTransfer made = gatun::MakeDefaultTransfer(survey, unit, range);
     if (colors)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunDefaultOpacity.h"
 
+#include "gatunFraming.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -251,5 +253,11 @@ DefaultTransfer MakeDefaultTransfer(
     OpticalDepth * std::cbrt(GetContributing(extinctions, fractions)) / units);
   transfer.Opacities = MakeNodes(extinctions, colors);
   return transfer;
+}
+
+//------------------------------------------------------------------------------
+double GetDefaultUnitDistance(const Bounds& box)
+{
+  return GetPositiveDiagonal(box) / 100;
 }
 }

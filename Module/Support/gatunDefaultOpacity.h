@@ -74,6 +74,10 @@ struct DefaultTransfer
  */
 GATUN_EXPORT DefaultTransfer MakeDefaultTransfer(
   const ValueSurvey& survey, double unitDistance, const std::optional<Range>& range = {});
+
+/** The length of a ray to which opacities refer by default: a hundredth of the diagonal of a box.
+ */
+GATUN_EXPORT double GetDefaultUnitDistance(const Bounds& box);
 }
 
 #endif

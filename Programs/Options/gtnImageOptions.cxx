@@ -9,6 +9,7 @@
 #include "gtnParse.h"
 #include "gtnText.h"
 
+#include "gatunDefaultOpacity.h"
 #include "gatunVersion.h"
 #include "vtkGatunDefaults.h"
 
@@ -251,24 +252,13 @@ vtkSmartPointer<vtkVolumeProperty> MakeImageProperty(const ImageOptions& options
   const ImageContent& content, vtkGatunDefaults* defaults, const gatun::Bounds& box,
   OpacityKind kind)
 {
-  const double unit = DiagonalOf(box) / 100;
+  const double unit = gatun::GetDefaultUnitDistance(box);
   vtkSmartPointer<vtkVolumeProperty> property = kind == OpacityKind::Structure
     ? MakeStructure(options, content, defaults, unit)
     : MakeRamp(options, content);
   property->SetScalarOpacityUnitDistance(options.UnitDistance.value_or(unit));
   ScaleOpacity(property->GetScalarOpacity(), options.Opacity);
   return property;
-}
-
-//------------------------------------------------------------------------------
-double DiagonalOf(const gatun::Bounds& bounds)
-{
-  double diagonal = 0;
-  for (const gatun::Range& range : bounds)
-  {
-    diagonal = std::hypot(diagonal, range.Max - range.Min);
-  }
-  return diagonal > 0 && std::isfinite(diagonal) ? diagonal : 1;
 }
 
 //------------------------------------------------------------------------------

@@ -75,9 +75,6 @@ vtkSmartPointer<vtkVolumeProperty> MakeImageProperty(const ImageOptions& options
   const ImageContent& content, vtkGatunDefaults* defaults, const gatun::Bounds& box,
   OpacityKind kind);
 
-/** Returns the diagonal of a box, or 1 if it is not finite and above 0. */
-double DiagonalOf(const gatun::Bounds& bounds);
-
 /** Returns the keys and strings that are stored in an image. */
 std::vector<std::pair<std::string, std::string>> MakeRemarks(
   const ImageContent& content, const std::string& commandLine, vtkCamera* camera);

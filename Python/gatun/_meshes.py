@@ -76,7 +76,6 @@ class CellInput:
         else:
             self._take_lists(connectivity, offsets, types)
             self._take_faces(faces, face_locations)
-            self._drop_types()
         self.structure = _c.Mesh(
             points=len(self.points),
             cells=self.count,
@@ -128,11 +127,6 @@ class CellInput:
             raise ValueError("offsets: begin at 0, and end in the connectivity")
         if np.any(self._offsets[1:] < self._offsets[:-1]):
             raise ValueError("offsets: have to ascend")
-
-    def _drop_types(self):
-        """Tetrahedra need none."""
-        if np.all(self._types == _TETRA) and np.all(np.diff(self._offsets) == 4):
-            self._types = self._offsets = self._faces = self._face_locations = None
 
     def set_points(self, points):
         """Gives the mesh other coordinates, of the same type."""

@@ -401,6 +401,33 @@ TEST(LibraryWriting, SurfacesAndPolyhedra)
   EXPECT_EQ(readFaces, faces);
 }
 
+TEST(LibraryWriting, TetrahedraWithTypesAreThoseWithout)
+{
+  Block block(3);
+  auto mesh = block.GetMesh();
+  const std::vector<std::uint8_t> types(mesh.cells, 10);
+  std::vector<std::int64_t> offsets;
+  for (std::uint64_t cell = 0; cell <= mesh.cells; ++cell)
+  {
+    offsets.push_back(static_cast<std::int64_t>(4 * cell));
+  }
+  const auto write = [&](const char* name)
+  {
+    const auto path = PathOf(name);
+    auto options = Make<gatun_options>();
+    options.levels = 2;
+    gatun_writer* writer = nullptr;
+    EXPECT_OK(gatun_create(path.c_str(), &mesh, nullptr, 0, &options, nullptr, nullptr, &writer));
+    EXPECT_OK(gatun_finish(writer, nullptr));
+    return ReadBytes(path);
+  };
+  ASSERT_NE(mesh.wide_ids, 0);
+  const auto without = write("plain.gtn");
+  mesh.types = types.data();
+  mesh.offsets = offsets.data();
+  EXPECT_EQ(write("typed.gtn"), without);
+}
+
 TEST(LibraryWriting, LeavesAFileThatIsThereAlone)
 {
   const auto path = PathOf("kept.gtn");
