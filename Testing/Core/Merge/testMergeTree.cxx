@@ -25,24 +25,24 @@ namespace gatun::test
 namespace
 {
 using Tet = MergeTree::Tet;
-using Vec = std::array<double, 3>;
+using Position = std::array<double, 3>;
 
 struct Solid
 {
-  std::vector<Vec> Points;
+  std::vector<Position> Points;
   std::vector<Tet> Tets;
   std::vector<double> Values;
 
   MergeInput GetInput() const { return { this->Points, this->Tets, { { this->Values, 1 } } }; }
 };
 
-Solid MakeSolid(std::int64_t n, double jitter, const std::function<bool(const Vec&)>& isIn)
+Solid MakeSolid(std::int64_t n, double jitter, const std::function<bool(const Position&)>& isIn)
 {
   const auto mesh = MakeCubes(n, jitter);
   Solid solid;
   for (std::size_t i = 0; i < mesh.GetPoints(); ++i)
   {
-    const Vec p{ mesh.Coordinates[3 * i], mesh.Coordinates[3 * i + 1],
+    const Position p{ mesh.Coordinates[3 * i], mesh.Coordinates[3 * i + 1],
       mesh.Coordinates[3 * i + 2] };
     solid.Points.push_back(p);
     solid.Values.push_back(std::sin(0.7 * p[0]) * std::cos(0.5 * p[1]) + 0.1 * p[2] * p[2]);
@@ -55,7 +55,7 @@ Solid MakeSolid(std::int64_t n, double jitter, const std::function<bool(const Ve
       tet[c] = static_cast<std::uint32_t>(mesh.Ids[4 * i + c]);
     }
     // Whole cubes, six tetrahedra each, by the corner that is nearest to the origin.
-    Vec low{ 1e9, 1e9, 1e9 };
+    Position low{ 1e9, 1e9, 1e9 };
     const auto first = 6 * (i / 6);
     for (std::size_t k = 4 * first; k < 4 * first + 24; ++k)
     {
@@ -79,24 +79,24 @@ Solid MakeSolid(const std::string& name)
   if (name == "Ring")
   {
     return MakeSolid(
-      7, 0.2, [](const Vec& p) { return p[0] < 2 || p[0] > 4 || p[1] < 2 || p[1] > 4; });
+      7, 0.2, [](const Position& p) { return p[0] < 2 || p[0] > 4 || p[1] < 2 || p[1] > 4; });
   }
   if (name == "Void")
   {
     return MakeSolid(7, 0.2,
-      [](const Vec& p)
+      [](const Position& p)
       { return std::any_of(p.begin(), p.end(), [](double x) { return x < 2 || x > 4; }); });
   }
   if (name == "Parts")
   {
-    return MakeSolid(6, 0.2, [](const Vec& p) { return p[2] < 2 || p[2] > 3; });
+    return MakeSolid(6, 0.2, [](const Position& p) { return p[2] < 2 || p[2] > 3; });
   }
-  return MakeSolid(6, name == "Lattice" ? 0 : 0.25, [](const Vec&) { return true; });
+  return MakeSolid(6, name == "Lattice" ? 0 : 0.25, [](const Position&) { return true; });
 }
 
-double GetTetVolume(const std::vector<Vec>& points, const Tet& tet)
+double GetTetVolume(const std::vector<Position>& points, const Tet& tet)
 {
-  std::array<Vec, 3> u;
+  std::array<Position, 3> u;
   for (std::size_t i = 0; i < 3; ++i)
   {
     for (std::size_t c = 0; c < 3; ++c)
@@ -310,7 +310,7 @@ TEST(MergeBuilder, LinearDataCostsNothingInside)
   Solid solid = MakeSolid("Block");
   for (std::size_t i = 0; i < solid.Points.size(); ++i)
   {
-    const Vec& p = solid.Points[i];
+    const Position& p = solid.Points[i];
     solid.Values[i] = 1 + 2 * p[0] - 3 * p[1] + p[2];
   }
   const MergeTree tree = BuildMergeTree(solid.GetInput());
@@ -326,7 +326,7 @@ TEST(MergeBuilder, LinearDataCostsNothingInside)
   std::size_t bump = 0;
   for (std::size_t i = 0; i < solid.Points.size(); ++i)
   {
-    const Vec& p = solid.Points[i];
+    const Position& p = solid.Points[i];
     bump = std::abs(p[0] - 3) + std::abs(p[1] - 3) + std::abs(p[2] - 3) < 1 ? i : bump;
   }
   ASSERT_NE(bump, 0u);
@@ -372,7 +372,7 @@ TEST(MergeBuilder, ChangesDoNotCancel)
   const auto isWavy = [&](std::size_t i) { return solid.Points[i][0] > 2.5; };
   for (std::size_t i = 0; i < solid.Points.size(); ++i)
   {
-    const Vec& p = solid.Points[i];
+    const Position& p = solid.Points[i];
     const auto layer = static_cast<int>(std::round(p[0] + p[1] + p[2]));
     solid.Values[i] = isWavy(i) ? (layer % 2 == 0 ? 1 : -1) : 0;
   }
@@ -535,7 +535,7 @@ TEST(MergeLinks, MayMergeIsTheLinkCondition)
   // Wherever points are: merges that would turn tetrahedra over lead to all sorts of links.
   for (const std::uint32_t seed : { 1u, 2u, 3u })
   {
-    const Solid solid = MakeSolid(4, 0, [](const Vec& p) { return p[0] != 2 || p[1] != 2; });
+    const Solid solid = MakeSolid(4, 0, [](const Position& p) { return p[0] != 2 || p[1] != 2; });
     auto tets = solid.Tets;
     MergeMesh mesh(solid.Points.size(), tets);
     MergeLinks links(mesh);

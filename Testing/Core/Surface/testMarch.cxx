@@ -22,20 +22,20 @@ namespace gatun::test
 {
 namespace
 {
-using Vector = std::array<double, 3>;
+using Position = std::array<double, 3>;
 using Edge = std::pair<std::uint32_t, std::uint32_t>; // the point below, the point above
 
-Vector Subtract(const Vector& a, const Vector& b)
+Position Subtract(const Position& a, const Position& b)
 {
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 }
 
-Vector Cross(const Vector& a, const Vector& b)
+Position Cross(const Position& a, const Position& b)
 {
   return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
 }
 
-double Dot(const Vector& a, const Vector& b)
+double Dot(const Position& a, const Position& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -43,7 +43,7 @@ double Dot(const Vector& a, const Vector& b)
 /** A mesh with a value at each point. */
 struct Field
 {
-  std::vector<Vector> Points;
+  std::vector<Position> Points;
   std::vector<std::array<std::int64_t, 4>> Tets;
   std::vector<double> Values;
 
@@ -63,13 +63,13 @@ struct Field
     }
   }
 
-  const Vector& At(std::int64_t id) const { return this->Points[static_cast<std::size_t>(id)]; }
+  const Position& At(std::int64_t id) const { return this->Points[static_cast<std::size_t>(id)]; }
   double ValueAt(std::int64_t id) const { return this->Values[static_cast<std::size_t>(id)]; }
 
   bool IsTurnedOver(std::size_t tet) const
   {
     const auto& ids = this->Tets[tet];
-    const Vector& a = this->At(ids[0]);
+    const Position& a = this->At(ids[0]);
     return Dot(Cross(Subtract(this->At(ids[1]), a), Subtract(this->At(ids[2]), a)),
              Subtract(this->At(ids[3]), a)) < 0;
   }
@@ -93,9 +93,9 @@ struct Field
    * above if the tetrahedron is turned over. The first is the least of them. */
   std::vector<Edge> GetSection(std::size_t tet, double value) const
   {
-    Vector below{};
-    Vector above{};
-    std::vector<std::pair<Edge, Vector>> crossed;
+    Position below{};
+    Position above{};
+    std::vector<std::pair<Edge, Position>> crossed;
     double count[2] = { 0, 0 };
     for (const auto id : this->Tets[tet])
     {
@@ -110,7 +110,7 @@ struct Field
         if (!isAbove && this->ValueAt(other) >= value)
         {
           // Where on the edge does not change the order around the section.
-          Vector middle;
+          Position middle;
           for (unsigned axis = 0; axis < 3; ++axis)
           {
             middle[axis] = (this->At(id)[axis] + this->At(other)[axis]) / 2;
@@ -120,8 +120,8 @@ struct Field
         }
       }
     }
-    Vector towards;
-    Vector center{};
+    Position towards;
+    Position center{};
     for (unsigned axis = 0; axis < 3; ++axis)
     {
       towards[axis] = below[axis] / count[0] - above[axis] / count[1];
@@ -134,12 +134,12 @@ struct Field
     {
       towards = { -towards[0], -towards[1], -towards[2] };
     }
-    const Vector first = Cross(towards, Subtract(crossed[0].second, center));
-    const Vector second = Cross(towards, first);
+    const Position first = Cross(towards, Subtract(crossed[0].second, center));
+    const Position second = Cross(towards, first);
     const double scale = std::sqrt(Dot(towards, towards));
-    const auto angle = [&](const Vector& x)
+    const auto angle = [&](const Position& x)
     {
-      const Vector d = Subtract(x, center);
+      const Position d = Subtract(x, center);
       return std::atan2(Dot(d, second) / scale, Dot(d, first));
     };
     std::sort(crossed.begin(), crossed.end(),
@@ -289,7 +289,7 @@ Field MakeTet(const std::array<double, 4>& values)
   return field;
 }
 
-double MarchWave(const Vector& x)
+double MarchWave(const Position& x)
 {
   return std::sin(1.3 * x[0]) * std::cos(0.9 * x[1]) + 0.4 * x[2];
 }
@@ -339,7 +339,7 @@ TEST(March, FrontsLookTowardsLowerValues)
       ASSERT_FALSE(surface.Triangles.empty());
       for (const auto& triangle : surface.Triangles)
       {
-        std::array<Vector, 3> x;
+        std::array<Position, 3> x;
         for (unsigned i = 0; i < 3; ++i)
         {
           const Crossing& point = surface.Points[triangle[i]];
@@ -350,7 +350,7 @@ TEST(March, FrontsLookTowardsLowerValues)
           }
           EXPECT_NEAR(x[i][0], value, 1e-15);
         }
-        const Vector normal = Cross(Subtract(x[1], x[0]), Subtract(x[2], x[0]));
+        const Position normal = Cross(Subtract(x[1], x[0]), Subtract(x[2], x[0]));
         EXPECT_GT(turned ? normal[0] : -normal[0], 1e-6);
         EXPECT_NEAR(normal[1], 0, 1e-15);
         EXPECT_NEAR(normal[2], 0, 1e-15);
