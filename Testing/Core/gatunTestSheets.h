@@ -23,11 +23,11 @@
 namespace gatun::test
 {
 using SheetTriangle = std::array<std::uint32_t, 3>;
-using Vec = std::array<double, 3>;
+using SheetPoint = std::array<double, 3>;
 
 struct Sheet
 {
-  std::vector<Vec> Points;
+  std::vector<SheetPoint> Points;
   std::vector<SheetTriangle> Triangles;
   std::vector<double> Values;
 
@@ -40,7 +40,7 @@ struct Sheet
 /** A lattice of squares, two triangles each. Columns and rows can be closed to a loop, by the same
  * points or, with a seam, by points at the same place. */
 inline Sheet MakeSheet(std::uint32_t columns, std::uint32_t rows, bool isRing, bool isTube,
-  const std::function<Vec(double, double)>& place, bool hasSeams = false)
+  const std::function<SheetPoint(double, double)>& place, bool hasSeams = false)
 {
   Sheet sheet;
   const std::uint32_t width = columns + (isRing && !hasSeams ? 0 : 1);
@@ -69,7 +69,7 @@ inline Sheet MakeSheet(std::uint32_t columns, std::uint32_t rows, bool isRing, b
   return sheet;
 }
 
-inline Vec PlaceOnTorus(double u, double v)
+inline SheetPoint PlaceOnTorus(double u, double v)
 {
   const double a = 2 * std::numbers::pi * u;
   const double b = 2 * std::numbers::pi * v;
@@ -77,12 +77,12 @@ inline Vec PlaceOnTorus(double u, double v)
   return { r * std::cos(a), r * std::sin(a), 0.4 * std::sin(b) };
 }
 
-inline Vec PlaceOnHill(double u, double v)
+inline SheetPoint PlaceOnHill(double u, double v)
 {
   return { u, v, u * (1 - u) * v * (1 - v) * std::sin(9 * u) * std::cos(7 * v + u) };
 }
 
-inline Vec PlaceOnPlane(double u, double v)
+inline SheetPoint PlaceOnPlane(double u, double v)
 {
   return { 2 * u - 1, 2 * v - 1, 0.5 };
 }
@@ -91,13 +91,13 @@ inline Vec PlaceOnPlane(double u, double v)
 inline Sheet MakeCube(std::uint32_t n, bool hasSeams)
 {
   Sheet cube;
-  std::map<Vec, std::uint32_t> known;
+  std::map<SheetPoint, std::uint32_t> known;
   for (unsigned face = 0; face < 6; ++face)
   {
-    known = hasSeams ? std::map<Vec, std::uint32_t>() : known;
+    known = hasSeams ? std::map<SheetPoint, std::uint32_t>() : known;
     const auto at = [&](std::uint32_t i, std::uint32_t j)
     {
-      Vec p{};
+      SheetPoint p{};
       p[face % 3] = face < 3 ? 0 : n;
       p[(face + 1) % 3] = face < 3 ? j : i;
       p[(face + 2) % 3] = face < 3 ? i : j;
@@ -126,7 +126,7 @@ inline Sheet MakeSphere(std::uint32_t n)
   Sheet sphere = MakeCube(n, false);
   for (std::size_t i = 0; i < sphere.Points.size(); ++i)
   {
-    Vec& p = sphere.Points[i];
+    SheetPoint& p = sphere.Points[i];
     double square = 0;
     for (double& x : p)
     {
@@ -160,7 +160,7 @@ inline std::vector<SheetTriangle> Simplify(
 
 /** MergeTree::CountWholeMerges, found by the coordinates. */
 inline std::size_t CountWhole(
-  const MergeTree& tree, std::size_t merges, const std::vector<Vec>& points)
+  const MergeTree& tree, std::size_t merges, const std::vector<SheetPoint>& points)
 {
   const auto& all = tree.GetMerges();
   std::size_t whole = std::min(merges, all.size());
@@ -172,10 +172,10 @@ inline std::size_t CountWhole(
   return whole;
 }
 
-inline Vec GetNormal(const std::vector<Vec>& points, const SheetTriangle& t)
+inline SheetPoint GetNormal(const std::vector<SheetPoint>& points, const SheetTriangle& t)
 {
-  Vec a{};
-  Vec b{};
+  SheetPoint a{};
+  SheetPoint b{};
   for (std::size_t i = 0; i < 3; ++i)
   {
     a[i] = points[t[1]][i] - points[t[0]][i];
@@ -188,20 +188,20 @@ inline Vec GetNormal(const std::vector<Vec>& points, const SheetTriangle& t)
 struct Topology
 {
   int EulerCharacteristic = 0;
-  std::set<std::pair<Vec, Vec>> Border;
+  std::set<std::pair<SheetPoint, SheetPoint>> Border;
   bool IsManifold = true; // no edge of three triangles, and only fans around points
 
-  Topology(const std::vector<Vec>& points, const std::vector<SheetTriangle>& triangles)
+  Topology(const std::vector<SheetPoint>& points, const std::vector<SheetTriangle>& triangles)
   {
-    std::map<std::pair<Vec, Vec>, int> edges;
-    std::map<Vec, std::multimap<Vec, Vec>> fans;
+    std::map<std::pair<SheetPoint, SheetPoint>, int> edges;
+    std::map<SheetPoint, std::multimap<SheetPoint, SheetPoint>> fans;
     for (const SheetTriangle& t : triangles)
     {
       for (std::size_t i = 0; i < 3; ++i)
       {
-        const Vec& a = points[t[i]];
-        const Vec& b = points[t[(i + 1) % 3]];
-        const Vec& c = points[t[(i + 2) % 3]];
+        const SheetPoint& a = points[t[i]];
+        const SheetPoint& b = points[t[(i + 1) % 3]];
+        const SheetPoint& c = points[t[(i + 2) % 3]];
         ++edges[std::minmax(a, b)];
         fans[a].emplace(b, c);
         fans[a].emplace(c, b);
@@ -217,11 +217,11 @@ struct Topology
     }
     for (const auto& [point, links] : fans)
     {
-      std::set<Vec> seen{ links.begin()->first };
-      std::vector<Vec> todo{ links.begin()->first };
+      std::set<SheetPoint> seen{ links.begin()->first };
+      std::vector<SheetPoint> todo{ links.begin()->first };
       while (!todo.empty())
       {
-        const Vec at = todo.back();
+        const SheetPoint at = todo.back();
         todo.pop_back();
         for (auto [i, last] = links.equal_range(at); i != last; ++i)
         {
@@ -231,7 +231,7 @@ struct Topology
           }
         }
       }
-      std::set<Vec> all;
+      std::set<SheetPoint> all;
       for (const auto& link : links)
       {
         all.insert(link.first);
@@ -260,8 +260,10 @@ inline Sheet MakeSheet(const std::string& name)
   if (name == "Tube")
   {
     return MakeSheet(16, 9, true, false,
-      [](double u, double v) {
-        return Vec{ std::cos(2 * std::numbers::pi * u), std::sin(2 * std::numbers::pi * u), 3 * v };
+      [](double u, double v)
+      {
+        return SheetPoint{ std::cos(2 * std::numbers::pi * u), std::sin(2 * std::numbers::pi * u),
+          3 * v };
       });
   }
   if (name == "Moebius")
@@ -272,7 +274,7 @@ inline Sheet MakeSheet(const std::string& name)
         const double a = 2 * std::numbers::pi * u;
         const double w = v - 0.5;
         const double r = 1 + w * std::cos(a / 2);
-        return Vec{ r * std::cos(a), r * std::sin(a), w * std::sin(a / 2) };
+        return SheetPoint{ r * std::cos(a), r * std::sin(a), w * std::sin(a / 2) };
       });
     // The last column is the first one upside down.
     for (SheetTriangle& t : sheet.Triangles)

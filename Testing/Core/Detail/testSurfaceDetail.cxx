@@ -23,24 +23,26 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int WindowPixels = 400;
 
 /** A view from a place to another one, with x or y to the right. */
-SurfaceDetailView MakeView(const Vec& from, const Vec& to, bool isParallel = false)
+SurfaceDetailView MakeView(const SheetPoint& from, const SheetPoint& to, bool isParallel = false)
 {
-  const auto normalize = [](Vec v)
+  const auto normalize = [](SheetPoint v)
   {
     const double length = std::hypot(v[0], v[1], v[2]);
-    return Vec{ v[0] / length, v[1] / length, v[2] / length };
+    return SheetPoint{ v[0] / length, v[1] / length, v[2] / length };
   };
-  const auto cross = [](const Vec& a, const Vec& b) {
-    return Vec{ a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+  const auto cross = [](const SheetPoint& a, const SheetPoint& b)
+  {
+    return SheetPoint{ a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+      a[0] * b[1] - a[1] * b[0] };
   };
-  const Vec back = normalize({ from[0] - to[0], from[1] - to[1], from[2] - to[2] });
-  const Vec right =
-    normalize(cross(std::abs(back[2]) < 0.9 ? Vec{ 0, 0, 1 } : Vec{ 0, 1, 0 }, back));
-  const Vec up = cross(back, right);
+  const SheetPoint back = normalize({ from[0] - to[0], from[1] - to[1], from[2] - to[2] });
+  const SheetPoint right =
+    normalize(cross(std::abs(back[2]) < 0.9 ? SheetPoint{ 0, 0, 1 } : SheetPoint{ 0, 1, 0 }, back));
+  const SheetPoint up = cross(back, right);
   std::array<std::array<double, 4>, 3> rows{};
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const Vec& axis = i == 0 ? right : i == 1 ? up : back;
+    const SheetPoint& axis = i == 0 ? right : i == 1 ? up : back;
     std::copy(axis.begin(), axis.end(), rows[i].begin());
     rows[i][3] = -(axis[0] * from[0] + axis[1] * from[1] + axis[2] * from[2]);
   }
@@ -83,12 +85,12 @@ struct SheetSample
   }
 
   /** The points that are left on a side of a plane through the origin, and their share. */
-  std::size_t CountLeft(const MergeCut& cut, const Vec& side) const
+  std::size_t CountLeft(const MergeCut& cut, const SheetPoint& side) const
   {
     std::size_t count = 0;
     for (std::uint32_t i = 0; i < this->Surface.Points.size(); ++i)
     {
-      const Vec& p = this->Surface.Points[i];
+      const SheetPoint& p = this->Surface.Points[i];
       count += cut.GetAncestors()[i] == i && p[0] * side[0] + p[1] * side[1] + p[2] * side[2] > 0;
     }
     return count;
@@ -128,7 +130,7 @@ TEST_P(CutSurfaces, KeepTheirTopologyAndHaveNoNewTriangles)
   std::size_t uniform = 0;
   for (int i = 0; i < 100; ++i)
   {
-    const Vec from{ any(random), any(random), any(random) };
+    const SheetPoint from{ any(random), any(random), any(random) };
     auto view = MakeView(from, { 0.1 * any(random), 0, 0 }, i % 5 == 0);
     view.Points = static_cast<std::uint64_t>((1 + i % 9) * static_cast<int>(points.size()) / 20);
     view.PixelError = i % 3;
@@ -153,7 +155,7 @@ TEST(SurfaceDetail, IsFineWhereTheEyeIs)
 {
   const SheetSample sample(MakeSheet(120, 20, false, false,
     [](double u, double v) {
-      return Vec{ 4 * u - 2, 0.4 * v - 0.2, 0.1 * std::sin(20 * u) * std::cos(17 * v) };
+      return SheetPoint{ 4 * u - 2, 0.4 * v - 0.2, 0.1 * std::sin(20 * u) * std::cos(17 * v) };
     }));
   const SurfaceDetail detail = sample.MakeDetail();
   auto view = MakeView({ -2.4, 0, 0.3 }, { 2, 0, 0 });
@@ -256,7 +258,7 @@ TEST(SurfaceDetail, IsCoarseWhereTheSurfaceIsTurnedAway)
   const SheetSample sample(isOutward ? sphere : turned);
   const SurfaceDetail detail = sample.MakeDetail();
   ASSERT_TRUE(detail.IsSolid());
-  const Vec from{ 0, 0, 6 };
+  const SheetPoint from{ 0, 0, 6 };
   auto view = MakeView(from, { 0, 0, 0 });
   const auto count = [&]
   {
@@ -270,7 +272,7 @@ TEST(SurfaceDetail, IsCoarseWhereTheSurfaceIsTurnedAway)
   const auto weights = detail.Weigh(view);
   const auto middle = static_cast<std::size_t>(
     std::max_element(sample.Surface.Points.begin(), sample.Surface.Points.end(),
-      [](const Vec& a, const Vec& b) { return a[2] < b[2]; }) -
+      [](const SheetPoint& a, const SheetPoint& b) { return a[2] < b[2]; }) -
     sample.Surface.Points.begin());
   std::size_t behind = 0;
   std::size_t hidden = 0;

@@ -20,7 +20,7 @@ namespace gatun::test
 inline TreeSample ToSample(const Sheet& sheet, std::size_t steps)
 {
   TreeSample sample;
-  for (const Vec& point : sheet.Points)
+  for (const SheetPoint& point : sheet.Points)
   {
     sample.Coordinates.insert(sample.Coordinates.end(), point.begin(), point.end());
   }
@@ -44,7 +44,7 @@ inline TreeSample ToSample(const Sheet& sheet, std::size_t steps)
 /** The usual tree of the triangles of a sample; points of other cells are kept. */
 inline void BuildSurfaceTree(TreeSample& sample, const std::vector<double>& field)
 {
-  std::vector<Vec> points(sample.GetPoints());
+  std::vector<SheetPoint> points(sample.GetPoints());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     std::copy_n(&sample.Coordinates[3 * i], 3, points[i].begin());

@@ -49,7 +49,7 @@ TEST_P(SimplifiedSurfaces, KeepTheirTopology)
     EXPECT_EQ(after.Border.empty(), before.Border.empty()) << n;
     for (const auto& edge : after.Border)
     {
-      for (const Vec& end : { edge.first, edge.second })
+      for (const SheetPoint& end : { edge.first, edge.second })
       {
         EXPECT_TRUE(std::any_of(before.Border.begin(), before.Border.end(),
           [&](const auto& old) { return old.first == end || old.second == end; }));
@@ -129,7 +129,7 @@ TEST(SurfaceMerges, HoldEdgesAboveTheFeatureAngle)
   const Sheet roof = MakeSheet(20, 20, false, false,
     [](double u, double v)
     {
-      return Vec{ u, v,
+      return SheetPoint{ u, v,
         -0.09 * std::abs(u - 0.5 - 0.2 * std::sin(4 * v) * (1 - std::abs(2 * u - 1))) };
     });
   const SurfaceMergeInput input{ roof.Points, roof.Triangles, {} };
@@ -170,7 +170,7 @@ TEST(SurfaceMerges, KeepTheBendOfAField)
   std::size_t left = 0;
   for (std::size_t i = 0; i < ancestors.size(); ++i)
   {
-    const Vec& p = plane.Points[i];
+    const SheetPoint& p = plane.Points[i];
     left += ancestors[i] == i ? 1 : 0;
     EXPECT_TRUE(ancestors[i] != i || p[0] == 0 || std::abs(p[0]) == 1) << i;
   }
@@ -197,7 +197,7 @@ TEST(SurfaceMerges, ErrorsAreThoseOfTheShapeAndTheField)
           (sphere.Points[t[0]][i] + sphere.Points[t[1]][i] + sphere.Points[t[2]][i]) / 3;
         square += x * x;
       }
-      const Vec n = GetNormal(sphere.Points, t);
+      const SheetPoint n = GetNormal(sphere.Points, t);
       const double weight = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
       squares += weight * (1 - std::sqrt(square)) * (1 - std::sqrt(square));
       area += weight;
@@ -212,8 +212,8 @@ TEST(SurfaceMerges, LeaveWholeParts)
 {
   // A flat tetrahedron, one of whose points could be merged without turning anything, and a
   // triangle. Neither has a smaller form.
-  const std::vector<Vec> points{ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 1, 0.01 }, { 9, 0, 0 },
-    { 9, 1, 0 }, { 8, 0, 0 } };
+  const std::vector<SheetPoint> points{ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 1, 0.01 },
+    { 9, 0, 0 }, { 9, 1, 0 }, { 8, 0, 0 } };
   const std::vector<SheetTriangle> triangles{ { 3, 0, 1 }, { 3, 1, 2 }, { 3, 2, 0 }, { 0, 2, 1 },
     { 4, 5, 6 } };
   EXPECT_TRUE(BuildMergeTree(SurfaceMergeInput{ points, triangles, {} }).GetMerges().empty());
@@ -230,7 +230,7 @@ TEST(SurfaceMerges, OfManyEqualCostsKeepTheTopology)
       [&](double u, double v)
       {
         const auto noise = [&] { return 0.4 / n * (1e-3 * static_cast<double>(random() % 1000)); };
-        return Vec{ u + noise(), v + noise(), 0 };
+        return SheetPoint{ u + noise(), v + noise(), 0 };
       });
     const MergeTree tree = BuildMergeTree(SurfaceMergeInput{ sheet.Points, sheet.Triangles, {} });
     for (std::size_t i = 1; i <= 6; ++i)
@@ -266,7 +266,7 @@ TEST(SurfaceMerges, KeepWhatIsNoManifold)
   // Three sheets at one edge, a triangle that is there twice, some without an area, and points
   // without a triangle or without a place.
   Sheet sheet = MakeSheet(8, 8, false, false, PlaceOnHill);
-  const auto add = [&](const Vec& p)
+  const auto add = [&](const SheetPoint& p)
   {
     sheet.Points.push_back(p);
     sheet.Values.push_back(0);
