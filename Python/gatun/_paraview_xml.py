@@ -91,12 +91,12 @@ READER = (
   <SimpleIntInformationHelper />
   <Documentation>Whether the file has a hierarchy, by which it can be simplified.</Documentation>
 </IntVectorProperty>
-<IdTypeVectorProperty name="LargeMesh" command="SetLargeMesh" default_values="5000000" number_of_elements="1"
+<IntVectorProperty name="LargeMesh" command="SetLargeMesh" default_values="5000000" number_of_elements="1"
     panel_visibility="advanced">
   <Documentation>Largest mesh that is read in full if the file has its boundary, in tetrahedra, or cells of a
   surface. Of larger ones only the boundary is read. 0: the boundary of all meshes, -1: none. Default:
   5000000.</Documentation>
-</IdTypeVectorProperty>
+</IntVectorProperty>
 <IntVectorProperty name="IsOnDemand" command="GetIsOnDemand" default_values="0" information_only="1"
     number_of_elements="1">
   <SimpleIntInformationHelper />
@@ -255,6 +255,9 @@ WRITER = """
   velocity=abs:0.01, or *=pw:1e-4 for all floating-point arrays that are not named. rel: relative to the range
   of the values at the time step; abs: a difference; pw: relative to each value; bits:N: N significant binary
   digits. With ",zeros" at the end, values of 0 stay exact. Default: none, without loss.</Documentation>
+  <Hints>
+    <ShowLabel />
+  </Hints>
 </StringVectorProperty>
 <IntVectorProperty name="FillMissingArrays" command="SetFillMissingArrays" default_values="0"
     number_of_elements="1" panel_visibility="advanced">

@@ -19,7 +19,7 @@ folder = sys.argv[1]
 OTHER = {"ChunkSize": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
          "Box": [6, 5, 4, 3, 2, 1], "ValueRange": [-4, 9],
          "ValueRangeArray": ["some array"], "FileName": ["some file"],
-         "LargeMesh": [6000000000], "SampleDistance": [0.25], "BlendMode": [101],
+         "LargeMesh": [2000000000], "SampleDistance": [0.25], "BlendMode": [101],
          "MemoryBudget": [100], "TimeBudget": [0.5], "MaximumError": [0.125], "Metric": [1],
          "BoundaryWeight": [0.75], "FeatureAngle": [45.0], "ArrayComponent": [2], "OutputPointsPrecision": [1],
          "Levels": [5], "LayerArray": ["some array"], "LayerComponent": [1], "NumberOfLayers": [9],
