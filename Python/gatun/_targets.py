@@ -18,7 +18,11 @@ def check_target(path, overwrite, *endings):
     folder = os.path.dirname(path) or "."
     if os.path.isdir(path):
         raise IsADirectoryError(errno.EISDIR, "Is a directory", path)
-    os.stat(os.path.join(folder, "."))  # FileNotFoundError, NotADirectoryError
+    try:
+        os.stat(os.path.join(folder, "."))
+    except OSError as error:  # FileNotFoundError, NotADirectoryError
+        error.filename = folder
+        raise
     if os.path.splitext(path)[1].lower() not in endings:
         raise ValueError(
             f"{path}: meshes are written to .gtn files, and volumes to .ghv files; other formats have writers "
