@@ -60,12 +60,17 @@ def _make_setter(name):
     return set_value
 
 
-def _report(error):
-    """Shows an error as those of filters in C++ are shown, on the client of a server, too."""
+def _describe(error):
     known = (gatun.Error, OSError, ValueError, TypeError, MemoryError)
     text = str(error) if isinstance(error, known) else f"{type(error).__name__}: {error}"
     if isinstance(error, OSError) and error.filename is not None:
         text = f"{error.filename}: {error.strerror}"
+    return text
+
+
+def _report(text):
+    """Shows why something has failed as filters in C++ do. The client of a server sees it if the first process calls
+    this."""
     vtkOutputWindow.GetInstance().DisplayErrorText(f"ERROR: Gatun: {text}\n")
 
 
@@ -77,10 +82,15 @@ def _get_stamp(path):
 
 class _Reader(VTKPythonAlgorithmBase):
     """A reader that fails on all processes, or on none: a filter behind it that lets them exchange data would wait
-    for those that have failed."""
+    for those that have failed.
+
+    Attributes:
+        has_failed: whether the last request has failed.
+    """
 
     def __init__(self, output_type, kind):
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType=output_type)
+        self.has_failed = False
         self._kind = kind
         self._budget = 512
         self._file = None
@@ -100,31 +110,37 @@ class _Reader(VTKPythonAlgorithmBase):
     def _run(self, work, out_info):
         """Calls a function. Returns 1, or 0 if it fails on any process."""
         info = out_info.GetInformationObject(0)
-        result = _DONE
+        result, text = _DONE, ""
         try:
             work(info)
         except Exception as error:  # pylint: disable=broad-except
-            result = self._fail(error)
-        result = self._agree(result)
+            result, text = self._fail(error)
+        result, text = self._agree(result, text)
+        if text:
+            _report(text)
         output = info.Get(vtkDataObject.DATA_OBJECT())
-        if result != _DONE and output:
-            # The next update starts anew, and a writer hears of the failure, too.
+        self.has_failed = result == _FAILED
+        if self.has_failed and output:
+            # Up to date, though empty: without data, a server does not send what its client waits for.
+            output.Initialize()
+        elif result == _ABORTED and output:
+            # The next update starts anew.
             output.ReleaseData()
             info.Set(Pipeline.DATA_NOT_GENERATED(), 1)
         return int(result != _FAILED)
 
     def _fail(self, error):
-        """Reports an error. Returns the result of the request."""
+        """The result of a request after an error, and what to report."""
         if getattr(error, "name", "") == "AbortedError":
-            return _ABORTED
+            return _ABORTED, ""
         self._file = self._stamp = None
-        if not isinstance(error, _ReportedError):
-            _report(error)
-        return _FAILED
+        return _FAILED, "" if isinstance(error, _ReportedError) else _describe(error)
 
-    def _agree(self, result):
-        """The worst result of all processes."""
-        return Ranks().find_least(result)
+    def _agree(self, result, text):
+        """The worst result of all processes, and what this one reports: the first one may get its text from another."""
+        ranks = Ranks()
+        result = ranks.find_least(result)
+        return result, ranks.find_text(text) if result == _FAILED else text
 
     @pause_collection()
     def RequestInformation(self, _request, _in_info, out_info):
@@ -355,9 +371,9 @@ class GatunHartleyReader(_Reader):
 
     SetFileName = _make_setter("_path")
 
-    def _agree(self, result):
+    def _agree(self, result, text):
         # Processes without voxels are not asked for data, and cannot agree. One that fails has no voxels, either.
-        return result if Ranks().count == 1 else max(result, _ABORTED)
+        return result if Ranks().count == 1 else max(result, _ABORTED), text
 
     def _inform(self, info):
         volume = self._open(self._path)
@@ -478,7 +494,7 @@ class GatunWriter(VTKPythonAlgorithmBase):
             series.run(self._write)
         except Exception as error:  # pylint: disable=broad-except
             is_done = False
-            _report(error)
+            _report(_describe(error))
         return Ranks().find_least(int(is_done))
 
     def _write(self, series):
@@ -507,3 +523,8 @@ def _has_compiled_plugin():
 if _has_compiled_plugin():
     vtkLogger.Log(vtkLogger.VERBOSITY_INFO, __file__, 0, "adds nothing, as the plugin Gatun is loaded")
     del GatunReader, GatunHartleyReader, GatunWriter
+
+    # A file that adds nothing at all is no plugin for ParaView 6.1. Nothing shows this group.
+    @smproxy.source(name="GatunPlaceholder", group="internal_gatun", support_reload=False)
+    class _Placeholder(VTKPythonAlgorithmBase):
+        pass

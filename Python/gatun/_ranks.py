@@ -7,7 +7,9 @@ import contextlib
 import gc
 from collections.abc import Sequence
 
-from vtkmodules.vtkCommonCore import vtkIntArray
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIntArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
@@ -67,12 +69,36 @@ class Ranks:
         self._controller.Broadcast(values, 0)
         return values.GetValue(0)
 
+    def find_text(self, text):
+        """On the first process the text of the first one that has any, and that of each process on the others."""
+        first = self.find_least(self.number if text else self.count)
+        if first in (0, self.count):
+            return text
+        if self.number == first:
+            self._controller.Send(numpy_to_vtk(np.frombuffer(text.encode(errors="replace"), np.uint8), deep=1), 0, _TAG)
+        elif self.number == 0:
+            values = vtkUnsignedCharArray()
+            self._controller.Receive(values, first, _TAG)
+            text = vtk_to_numpy(values).tobytes().decode()
+        return text
+
     def gather(self, data):
         """The data of all processes on the first one, and None on the others."""
         if self.number > 0:
             self._controller.Send(data, 0, _TAG)
             return None
         return [data] + [self._controller.ReceiveDataObject(i, _TAG) for i in range(1, self.count)]
+
+
+def _has_failed(executive):
+    """Whether an algorithm, or one before it, is a reader that has failed. Filters go on with its empty mesh."""
+    algorithm = executive.GetAlgorithm()
+    before = (
+        executive.GetInputExecutive(port, i)
+        for port in range(algorithm.GetNumberOfInputPorts())
+        for i in range(algorithm.GetNumberOfInputConnections(port))
+    )
+    return getattr(algorithm, "has_failed", False) or any(map(_has_failed, before))
 
 
 class GatheredSeries(Sequence):
@@ -159,7 +185,7 @@ class GatheredSeries(Sequence):
         info.Set(Pipeline.UPDATE_NUMBER_OF_GHOST_LEVELS(), 0)
         if self.times is not None:
             info.Set(Pipeline.UPDATE_TIME_STEP(), self.times[number])
-        if not self._executive.Update(self._port):
+        if not self._executive.Update(self._port) or _has_failed(self._executive):
             raise Error("the filters before the writer have failed")
         data = info.Get(vtkDataObject.DATA_OBJECT())
         if not isinstance(data, (vtkUnstructuredGrid, vtkPolyData)):

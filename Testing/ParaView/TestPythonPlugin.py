@@ -16,6 +16,8 @@ import sys
 import gatunSample as sample
 from gatunDealt import POINTS, describe, expected, make
 from paraview import simple
+from paraview.detail.pythonalgorithm import get_plugin_xmls
+from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 import gatun
 
@@ -26,7 +28,8 @@ folder = os.path.join(os.environ["GATUN_TEST_TEMP"], os.environ["GATUN_TEST_NAME
 shutil.rmtree(folder, ignore_errors=True)
 os.makedirs(folder)
 package = os.path.dirname(os.path.abspath(gatun.__file__))
-simple.LoadPlugin(os.path.join(os.path.dirname(package), "gatun_paraview.py"), remote=False, ns=vars(simple))
+plugin = os.path.join(os.path.dirname(package), "gatun_paraview.py")
+simple.LoadPlugin(plugin, remote=False, ns=vars(simple))
 make_ghosts = getattr(simple, "GhostCells", None) or simple.GhostCellsGenerator  # its name before ParaView 6
 
 
@@ -153,9 +156,19 @@ def damage(path, second):
         file.write(data)
 
 
+def keep_message(_window, _event, text):
+    messages.append(text)
+
+
+messages = []
+keep_message.CallDataType = "string0"
+vtkOutputWindow.GetInstance().AddObserver("ErrorEvent", keep_message)
 bad = os.path.join(folder, "bad.gtn")
 damage(os.path.join(folder, "mixed0.gtn"), bad)
-assert fails(simple.GatunReader(FileNames=[bad]))
+reader = simple.GatunReader(FileNames=[bad])
+assert fails(reader)
+reader.UpdatePipeline()  # which has nothing to do: a server that fails again does not send what its client waits for
+assert len([text for text in messages if bad in text and "damaged" in text]) == 1, messages  # even of another rank
 assert fails(simple.GatunReader(FileNames=[os.path.join(folder, "none.gtn")]))
 assert fails(simple.GatunReader(FileNames=[path], Level=9))
 assert fails(simple.GatunReader(FileNames=[path], ValueRangeArray="none"))
@@ -165,3 +178,10 @@ simple.SaveData(os.path.join(folder, "no", "x.gtn"), proxy=make("tets"))
 simple.SaveData(os.path.join(folder, "x.gtn"), proxy=make("tets"), ArrayTolerances=["wave"])
 simple.SaveData(os.path.join(folder, "x.gtn"), proxy=simple.GatunReader(FileNames=[bad]))
 assert sorted(os.listdir(folder)) == before, os.listdir(folder)
+
+# Where the compiled plugin is, this one adds nothing but a placeholder, without which it is no plugin for ParaView 6.1.
+simple.LoadPlugin(os.environ["GATUN_PLUGIN"], remote=False, ns=vars(simple))
+simple.LoadPlugin(shutil.copy(plugin, os.path.join(folder, "late.py")), remote=False, ns=vars(simple))
+(placeholder,) = get_plugin_xmls(sys.modules["late"])
+assert "GatunPlaceholder" in placeholder, placeholder
+assert simple.GatunReader(FileNames=[path]).SMProxy.GetVTKClassName() == "vtkFileSeriesReader"
