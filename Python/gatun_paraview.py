@@ -119,7 +119,7 @@ class _Reader(VTKPythonAlgorithmBase):
         if text:
             _report(text)
         output = info.Get(vtkDataObject.DATA_OBJECT())
-        self.has_failed = result == _FAILED
+        self.has_failed = result == _FAILED or bool(text)
         if self.has_failed and output:
             # Up to date, though empty: without data, a server does not send what its client waits for.
             output.Initialize()
