@@ -67,7 +67,10 @@ def _find_key(location, name, kind):
     names = _to_bytes(name), _to_bytes(location)
     found = vtkInformationKeyLookup.Find(*names)
     if found is None and kind != _QUADRATURE:
-        return wanted.MakeKey(*names)
+        key = wanted.MakeKey(*names)
+        # One reference of Python and one of VTK, which has keys until it ends. VTK 9.6 forgets its own.
+        key.SetReferenceCount(2)
+        return key
     return found if isinstance(found, wanted) else None
 
 

@@ -83,7 +83,7 @@ import gatun
 from vtkmodules.vtkCommonCore import vtkVersion
 
 golden, folder = sys.argv[1:]
-for name in ("time_steps", "polyhedra", "surface", "attributes"):
+for name in ("time_steps", "polyhedra", "surface", "attributes", "names_and_keys", "names_and_keys"):
     path = f"{golden}/{name}.gtn"
     mesh = gatun.read(path)
     assert mesh.GetNumberOfCells() == gatun.info(path)["cells"] == len(gatun.read(path, to="numpy").types), name
