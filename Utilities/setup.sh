@@ -57,8 +57,8 @@ packages_build=(
   libtet1.5-dev libvtk9-dev libx11-dev libxxhash-dev libzstd-dev ninja-build pkg-config python3-numpy python3-vtk9)
 packages_window=(libgl1-mesa-dri xauth xvfb)
 packages_test=(
-  desktop-file-utils doxygen gfortran git libglib2.0-bin libgtest-dev man-db mypy openimageio-tools python3-h5py python3-meshio
-  python3-xxhash python3-zstandard shared-mime-info zsh)
+  desktop-file-utils doxygen gfortran git libglib2.0-bin libgtest-dev man-db mypy openimageio-tools openssl python3-h5py
+  python3-meshio python3-xxhash python3-zstandard shared-mime-info zsh)
 packages_ci=(ccache)
 packages_bench=(draco libmeshoptimizer-dev libzfp-dev openctm-tools python3-matplotlib)
 packages_soak=(clang libclang-rt-dev libgtest-dev)

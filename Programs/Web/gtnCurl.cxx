@@ -59,7 +59,8 @@ enum CurlCode : int
   CodeTimeout = 28,
   CodeAborted = 42,
   CodeTooManyRedirects = 47,
-  CodeBadCertificate = 60
+  CodeBadCertificate = 60,
+  CodeNoCertificates = 77 // of issuers that the system trusts
 };
 constexpr long ProtocolHttp = 1;
 constexpr long ProtocolHttps = 2;
@@ -319,11 +320,15 @@ void WebConnection::Internals::Fail(int code) const
           ? message
           : "the server redirects to " + Shorten(this->Target) + ", which is not safe",
         false);
+    case CodeBadCertificate:
+      throw WebFailure(message +
+          "; the certificate must be for this host, and by an issuer that the system trusts",
+        false);
     case CodeBadAddress:
     case CodeNoProxy:
     case CodeNoHost:
     case CodeCannotConnect:
-    case CodeBadCertificate:
+    case CodeNoCertificates:
       throw WebFailure(message, false);
     default:
       throw WebFailure(message, true);

@@ -11,6 +11,7 @@ import errno
 import http.client
 import re
 import socket
+import ssl
 import threading
 import time
 import urllib.error
@@ -256,6 +257,8 @@ class HttpSource:
             error = error.reason
         if isinstance(error, socket.timeout):
             return TimeoutError(errno.ETIMEDOUT, "the server does not answer in time", self.name)
+        if isinstance(error, ssl.SSLError):  # its numbers are not those of the system
+            return OSError(errno.EIO, _describe_failure(error), self.name)
         number = getattr(error, "errno", None)
         text = getattr(error, "strerror", None) or str(error) or type(error).__name__
         return OSError(number if isinstance(number, int) and number > 0 else errno.EIO, text, self.name)
@@ -272,9 +275,24 @@ def _join(numbers):
     return runs
 
 
+def _describe_failure(error):
+    """Why there is no secure connection, and the remedy."""
+    if not isinstance(error, ssl.SSLCertVerificationError):
+        return f"there is no secure connection: {error.reason or error}"
+    is_other_host = "mismatch" in error.verify_message
+    remedy = (
+        "use a name that it has"
+        if is_other_host
+        else "if its issuer can be trusted, let the environment variable SSL_CERT_FILE name a file with the "
+        "issuer's certificate"
+    )
+    return f"the certificate of the server is not valid: {error.verify_message.rstrip('.')}; {remedy}"
+
+
 def _is_final(error):
     """Whether it is of no use to try again, as for a host that does not exist."""
     reason = getattr(error, "reason", error)
-    return isinstance(reason, (socket.gaierror, ConnectionRefusedError, str)) and not isinstance(
+    kinds = (socket.gaierror, ConnectionRefusedError, ssl.SSLCertVerificationError, str)
+    return isinstance(reason, kinds) and not isinstance(
         error, http.client.HTTPException
     )

@@ -6,6 +6,7 @@ for each kind of bad server."""
 
 import os
 import pathlib
+import shutil
 import sys
 
 import numpy as np
@@ -15,6 +16,7 @@ from gatunVolumes import field, make_image, write_image
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Python"))
 
+from gatunCertificates import Authority  # noqa: E402
 from gatunServer import Server  # noqa: E402
 
 os.environ["no_proxy"] = "*"
@@ -135,6 +137,14 @@ with serve(b"this is no mesh\n" * 20) as server:
     gtn("info", server.url, code=1, says=f"gtn: {server.url}: this is not a .gtn file")
 with serve(MESH[: len(MESH) // 2]) as server:
     gtn("unpack", server.url, "new.vtu", code=1, says=f"gtn: {server.url}: the file does not end as it should")
+
+# Certificates: by the authorities of the system only.
+if shutil.which("openssl"):
+    os.mkdir("certificates")
+    with serve(certificate=Authority("certificates").sign("server", "IP:127.0.0.1")) as server:
+        gtn("info", server.url, code=1, says=f"gtn: {server.url}: ")
+        gtn("info", server.url, code=1, says="must be for this host, and by an issuer that the system trusts")
+        assert not server.http.log, server.http.log
 
 # What gtn does not do.
 for command in (("pack", "https://127.0.0.1:1/mesh.vtu", "new.gtn"), ("info", "http://127.0.0.1:1/mesh")):

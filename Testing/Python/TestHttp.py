@@ -5,13 +5,16 @@
 
 import os
 import pathlib
+import shutil
 import threading
 import unittest
+import unittest.mock
 
 os.environ["no_proxy"] = "*"
 
 import gatun  # noqa: E402
 import numpy as np  # noqa: E402
+from gatunCertificates import Authority  # noqa: E402
 from gatunCube import find, make_cube, require_equal, require_raises  # noqa: E402
 from gatunGrids import golden_files, require_same_grids  # noqa: E402
 from gatunServer import Server  # noqa: E402
@@ -182,6 +185,32 @@ class Http(unittest.TestCase):
                 with self.subTest(target):
                     with self.assertRaises((gatun.Error, OSError)):
                         gatun.open(url)
+
+    @unittest.skipUnless(shutil.which("openssl"), "needs openssl")
+    def test_certificates(self):
+        """https works with a certificate by an authority that is trusted, and for this host only."""
+        os.makedirs(find("certificates"), exist_ok=True)
+        authority = Authority(find("certificates"))
+        good = authority.sign("good", "IP:127.0.0.1")
+        trusted = unittest.mock.patch.dict(os.environ, SSL_CERT_FILE=authority.path)
+        with Server(self.data, certificate=good) as server:
+            error = require_raises(OSError, "let the environment variable SSL_CERT_FILE name", gatun.open, server.url)
+            self.assertEqual(error.filename, server.url)
+            self.assertEqual(server.http.log, [])
+            with trusted, gatun.open(server.url) as file, gatun.open(self.path) as local:
+                require_same_grids(file.read(arrays=[]), local.read(arrays=[]))
+            with trusted, Server(self.data) as other:
+                server.http.target = other.url
+                require_raises(gatun.Error, "is not safe", gatun.open, server.url.replace("/file", "/old"))
+                self.assertEqual(other.http.log, [])
+                other.http.target = server.url
+                with gatun.open(other.url.replace("/file", "/old")) as file:
+                    self.assertEqual(file.info["points"], 45**3)
+                address = other.url.replace("http:", "https:")
+                require_raises(OSError, "there is no secure connection", gatun.open, address)
+        with trusted, Server(self.data, certificate=authority.sign("other", "DNS:example.org")) as server:
+            require_raises(OSError, "'127.0.0.1'; use a name that it has", gatun.open, server.url)
+            self.assertEqual(server.http.log, [])
 
 
 if __name__ == "__main__":

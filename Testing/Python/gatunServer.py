@@ -6,6 +6,8 @@
 import gzip
 import http.server
 import re
+import ssl
+import sys
 import threading
 import time
 
@@ -84,16 +86,33 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.send(206, headers, body)
 
 
-class Server:
-    """A server on the loopback address, while a block runs."""
+class QuietServer(http.server.ThreadingHTTPServer):
+    """Says nothing of clients that hang up because they do not like the certificate."""
 
-    def __init__(self, data, mode="good", tag='"one"', date=None, name="file"):
-        self.http = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-        self.http.daemon_threads = True
+    daemon_threads = True
+
+    def handle_error(self, request, client_address):
+        if not isinstance(sys.exc_info()[1], (ssl.SSLError, ConnectionError)):
+            super().handle_error(request, client_address)
+
+
+class Server:
+    """A server on the loopback address, while a block runs.
+
+    Args:
+        certificate: the paths of a certificate and its key, for https.
+    """
+
+    def __init__(self, data, mode="good", tag='"one"', date=None, name="file", certificate=None):
+        self.http = QuietServer(("127.0.0.1", 0), Handler)
         self.http.data, self.http.mode, self.http.tag, self.http.date = data, mode, tag, date
         self.http.target = "/" + name
         self.http.log = []
-        self.url = f"http://127.0.0.1:{self.http.server_address[1]}/{name}"
+        if certificate:
+            context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
+            context.load_cert_chain(*certificate)
+            self.http.socket = context.wrap_socket(self.http.socket, server_side=True, do_handshake_on_connect=False)
+        self.url = f"http{'s' if certificate else ''}://127.0.0.1:{self.http.server_address[1]}/{name}"
 
     def __enter__(self):
         threading.Thread(target=self.http.serve_forever, kwargs={"poll_interval": 0.01}, daemon=True).start()
