@@ -136,6 +136,12 @@ extern "C"
 
   /* ---- Files of meshes: opening and description ---- */
 
+  /** Bytes of a file. */
+  typedef struct gatun_range
+  {
+    uint64_t offset, length;
+  } gatun_range;
+
   /** Bytes that come from the caller. */
   typedef struct gatun_source
   {
@@ -147,6 +153,10 @@ extern "C"
     void (*close)(void* user); /**< may be null; called once, also if the file cannot be opened */
     void* user;
     const char* name; /**< of the file, in messages; may be null */
+
+    /** Announces ranges that will be read, by ascending offset, so that few requests over a network
+     * bring them. Returns as read does. May be null. */
+    int (*fetch)(void* user, const gatun_range* ranges, size_t count);
   } gatun_source;
 
   enum
@@ -324,11 +334,6 @@ extern "C"
                            and faces are not wanted. Otherwise 0 */
     gatun_type coordinate_type;
   } gatun_sizes;
-
-  typedef struct gatun_range
-  {
-    uint64_t offset, length;
-  } gatun_range;
 
   /**
    * The ranges of the file that a piece needs, by ascending offset, without those of the tables

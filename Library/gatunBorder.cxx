@@ -41,6 +41,7 @@ class CallerSource final : public ByteSource
 public:
   explicit CallerSource(const gatun_source& source)
     : Source(source)
+    , Name(source.name ? source.name : "")
   {
   }
   ~CallerSource() override
@@ -71,8 +72,27 @@ public:
     return 0;
   }
 
+  bool IsRemote() const override { return this->Source.fetch != nullptr; }
+
+  void Fetch(const std::vector<ByteRange>& ranges) const override
+  {
+    std::vector<gatun_range> all;
+    for (const auto& range : ranges)
+    {
+      all.push_back({ range.Offset, range.Length });
+    }
+    const int error =
+      all.empty() ? 0 : this->Source.fetch(this->Source.user, all.data(), all.size());
+    if (error != 0 && error != GATUN_SOURCE_NOT_HERE) // read tells what is not here
+    {
+      throw Error(
+        ErrorCode::CannotOpen, { .Path = this->Name, .What = "cannot read", .SystemError = error });
+    }
+  }
+
 private:
   const gatun_source Source;
+  const std::string Name;
 };
 }
 

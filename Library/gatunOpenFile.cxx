@@ -249,10 +249,14 @@ gatun_status gatun_get_level(gatun_file* file, uint32_t level, gatun_level* desc
     [&]
     {
       NeedPointers(file, description);
-      const auto mesh = gatun_file::Simplify(*file->Shared, level, 0).File;
+      const auto& from = file->GetFile();
+      Need(level <= from.GetLevels().size(), "there is no such level");
+      const auto counts = level > 0
+        ? from.CountLevel(level - 1)
+        : MeshCounts{ from.GetNumberOfPoints(), from.GetNumberOfCells(), from.GetNumberOfTets() };
       gatun_level own{};
-      own.points = mesh->GetNumberOfPoints();
-      own.cells = mesh->GetNumberOfCells();
+      own.points = counts.Points;
+      own.cells = counts.Cells;
       Give(own, description);
     });
 }

@@ -193,9 +193,9 @@ void DescribeHierarchy(const FileReader& file, Description& description)
       { file.IsSurface() ? "cells" : "tets", file.IsSurface() ? "cells" : "tetrahedra" } } };
   for (std::size_t i = 0; i < file.GetLevels().size(); ++i)
   {
-    const auto level = file.OpenLevel(i);
-    levels.Rows.push_back({ Entry(i + 1), Entry(level->GetNumberOfPoints()),
-      Entry(file.IsSurface() ? level->GetNumberOfCells() : level->GetNumberOfTets()) });
+    const MeshCounts level = file.CountLevel(i);
+    levels.Rows.push_back(
+      { Entry(i + 1), Entry(level.Points), Entry(file.IsSurface() ? level.Cells : level.Tets) });
   }
   description.Add(std::move(levels));
 }
@@ -206,11 +206,10 @@ void DescribeBoundary(const FileReader& file, Description& description)
   std::string text;
   if (file.HasBoundary())
   {
-    const auto boundary = file.OpenBoundary();
-    value["points"] = Json::Value::UInt64{ boundary->GetNumberOfPoints() };
-    value["cells"] = Json::Value::UInt64{ boundary->GetNumberOfCells() };
-    text = GroupDigits(boundary->GetNumberOfCells()) + " faces, " +
-      GroupDigits(boundary->GetNumberOfPoints()) + " points";
+    const MeshCounts boundary = file.CountBoundary();
+    value["points"] = Json::Value::UInt64{ boundary.Points };
+    value["cells"] = Json::Value::UInt64{ boundary.Cells };
+    text = GroupDigits(boundary.Cells) + " faces, " + GroupDigits(boundary.Points) + " points";
   }
   description.Add("boundary", file.HasBoundary() ? "boundary" : nullptr, { value, text });
 }
@@ -267,6 +266,7 @@ Table DescribeMeshes(const FileReader& file)
 //------------------------------------------------------------------------------
 Description DescribeMesh(const FileReader& file, bool verbose)
 {
+  file.AnnounceDescription();
   const std::uint8_t kept = file.GetKeptOrder();
   Json::Value order;
   order["points"] = (kept & KeepPoints) != 0;

@@ -11,6 +11,9 @@ namespace gatun
 {
 namespace
 {
+// Tables are at the end of a file. Of a small file, these are all.
+constexpr std::uint64_t EndBytes = 64u << 10;
+
 std::string ToText(FourCC name)
 {
   std::string text;
@@ -146,7 +149,7 @@ void InputFile::ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) cons
 //------------------------------------------------------------------------------
 void InputFile::CheckInside(const StreamRef& stream, const std::string& what) const
 {
-  if (stream.Offset > this->Size || stream.Length > this->Size - stream.Offset)
+  if (!this->IsInside(stream))
   {
     this->Fail(ErrorCode::Truncated, what, stream.Offset,
       "reaches past the end of the file (" + std::to_string(this->Size) + " bytes)");
@@ -228,6 +231,56 @@ void InputFile::AddRanges(const StreamRef& stream, std::vector<ByteRange>& range
 }
 
 //------------------------------------------------------------------------------
+std::vector<ByteRange> InputFile::FindRanges(const std::vector<StreamRef>& streams) const
+{
+  std::vector<ByteRange> ranges;
+  for (const StreamRef& stream : streams)
+  {
+    if (this->IsInside(stream))
+    {
+      this->AddRanges(stream, ranges);
+    }
+  }
+  return ranges;
+}
+
+//------------------------------------------------------------------------------
+void InputFile::Announce(const std::vector<StreamRef>& streams) const
+{
+  if (this->Source->IsRemote())
+  {
+    this->Source->Fetch(JoinRanges(this->FindRanges(streams), 0));
+  }
+}
+
+//------------------------------------------------------------------------------
+void InputFile::FailTogether(const std::vector<StreamRef>& streams, const Error& error) const
+{
+  constexpr std::uint64_t closely = 64u << 10;
+  const auto offset = error.Offset.value_or(0);
+  auto end = offset + error.Length;
+  for (const auto& range : JoinRanges(this->FindRanges(streams), closely))
+  {
+    if (range.Offset <= offset && offset < range.Offset + range.Length)
+    {
+      end = std::max(end, range.Offset + range.Length);
+    }
+  }
+  Error wider = error;
+  wider.Length = end - offset;
+  throw wider;
+}
+
+//------------------------------------------------------------------------------
+void InputFile::AddEnds(const StreamRef& container, std::vector<StreamRef>& streams)
+{
+  const auto head = std::min<std::uint64_t>(container.Length, HeaderSize);
+  const auto end = std::min(container.Length, EndBytes);
+  streams.push_back({ container.Offset, head, 0 });
+  streams.push_back({ container.Offset + container.Length - end, end, 0 });
+}
+
+//------------------------------------------------------------------------------
 /** Refuses sections of another version, and unknown ones that are mandatory. */
 void InputFile::CheckVersion(const SectionRef& section) const
 {
@@ -288,7 +341,6 @@ void InputFile::ReadHeader(std::span<std::uint8_t, HeaderSize> header)
  * are at the end of a file. */
 void InputFile::ReadEnd(std::uint64_t offset, std::span<std::uint8_t> bytes) const
 {
-  constexpr std::uint64_t tables = 128u << 10;
   try
   {
     this->ReadAt(offset, bytes);
@@ -299,7 +351,7 @@ void InputFile::ReadEnd(std::uint64_t offset, std::span<std::uint8_t> bytes) con
     {
       throw;
     }
-    const auto length = std::min(this->Size, tables);
+    const auto length = std::min(this->Size, 2 * EndBytes);
     this->FailNotHere(this->Size - length, length);
   }
 }
@@ -360,6 +412,9 @@ void InputFile::ReadSections(const Bytes& directory)
 //------------------------------------------------------------------------------
 void InputFile::ReadDirectory()
 {
+  std::vector<StreamRef> ends;
+  AddEnds({ 0, this->Size, 0 }, ends);
+  this->Announce(ends);
   std::array<std::uint8_t, HeaderSize> header{};
   this->ReadHeader(header);
   Bytes directory;

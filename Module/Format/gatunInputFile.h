@@ -64,6 +64,33 @@ public:
   /** Adds where a stream is in the whole file. */
   void AddRanges(const StreamRef& stream, std::vector<ByteRange>& ranges) const;
 
+  /** Tells a remote source that streams will be read, so that few requests bring them. Streams
+   * outside of the file count for nothing; reading them fails. */
+  void Announce(const std::vector<StreamRef>& streams) const;
+
+  /** Runs read, which reads streams. If the source does not have one of them, the error asks for
+   * all that follow it closely. */
+  template <typename Run>
+  void ReadTogether(const std::vector<StreamRef>& streams, Run&& read) const
+  {
+    this->Announce(streams);
+    try
+    {
+      read();
+    }
+    catch (const Error& error)
+    {
+      if (error.Code != ErrorCode::NotHere)
+      {
+        throw;
+      }
+      this->FailTogether(streams, error);
+    }
+  }
+
+  /** Adds the bytes that tell what is in a container with a position here. */
+  static void AddEnds(const StreamRef& container, std::vector<StreamRef>& streams);
+
   /** The payloads of the sections of a name. */
   std::vector<StreamRef> FindSections(FourCC name) const;
 
@@ -102,6 +129,8 @@ private:
   void ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
   void ReadEnd(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
   [[noreturn]] void FailNotHere(std::uint64_t offset, std::uint64_t length) const;
+  [[noreturn]] void FailTogether(const std::vector<StreamRef>& streams, const Error& error) const;
+  std::vector<ByteRange> FindRanges(const std::vector<StreamRef>& streams) const;
   ExtentMap::Place Locate(std::uint64_t offset) const;
   void ReadExtents(const InputFile& whole, const StreamRef& section, const std::string& name);
   void CheckVersion(const SectionRef& section) const;
@@ -109,6 +138,10 @@ private:
   StreamRef ReadTrailer(std::span<const std::uint8_t> header, Bytes& directory) const;
   void ReadSections(const Bytes& directory);
   void ReadDirectory();
+  bool IsInside(const StreamRef& stream) const
+  {
+    return stream.Offset <= this->Size && stream.Length <= this->Size - stream.Offset;
+  }
   void CheckInside(const StreamRef& stream, const std::string& what) const;
   [[noreturn]] void FailSum(const StreamRef& stream, const std::string& what) const;
 

@@ -11,6 +11,7 @@
 #include "gatunTableParts.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace gatun
@@ -44,22 +45,44 @@ FileReader::Internals::Internals(const Internals& whole, std::size_t level)
 }
 
 FileReader::Internals::Internals(const Internals& whole, const StreamRef& boundary)
-  : Internals(whole, boundary, "the boundary")
+  : Internals(whole, boundary, BoundaryName)
 {
   this->CheckBoundary(whole);
 }
 
+//------------------------------------------------------------------------------
 void FileReader::Internals::Read()
 {
+  constexpr std::array names{ SectionMeta, SectionCells, SectionTable, SectionSurface, SectionStep,
+    SectionLayers, SectionTree, SectionTreeStep, SectionTime };
+  std::vector<StreamRef> tables;
+  for (const auto& section : this->File.GetSections())
+  {
+    if (std::find(names.begin(), names.end(), section.Name) != names.end())
+    {
+      tables.push_back(section.Payload);
+    }
+  }
+  this->File.ReadTogether(tables, [this] { this->ReadTables(); });
+}
+
+//------------------------------------------------------------------------------
+MetaTable FileReader::Internals::ReadMeta(const InputFile& file)
+{
   constexpr const char* metaName = "the meta data";
+  const auto meta = file.FindSection(SectionMeta, metaName);
+  return file.Guarded(metaName, meta, [&] { return MetaTable::Read(file.Read(meta, metaName)); });
+}
+
+//------------------------------------------------------------------------------
+void FileReader::Internals::ReadTables()
+{
   constexpr const char* stepName = "the table of a time step";
-  const auto meta = this->File.FindSection(SectionMeta, metaName);
-  this->Meta = this->File.Guarded(
-    metaName, meta, [&] { return MetaTable::Read(this->File.Read(meta, metaName)); });
+  this->Meta = ReadMeta(this->File);
   const auto end =
     this->Meta.Arrays.begin() + static_cast<std::ptrdiff_t>(this->Meta.GetListedArrays());
   this->ListedArrays.assign(this->Meta.Arrays.begin(), end);
-  this->ReadCells();
+  this->Cells = ReadCells(this->File);
   this->Tables.emplace(this->File, this->Meta, this->Cells ? &*this->Cells : nullptr);
   this->CountCells();
   this->ReadSurface();
@@ -82,17 +105,36 @@ void FileReader::Internals::Read()
   this->ReadSeries();
 }
 
+//------------------------------------------------------------------------------
 /** Reads the types and sizes of cells, if not all are tetrahedra. */
-void FileReader::Internals::ReadCells()
+std::optional<CellTable> FileReader::Internals::ReadCells(const InputFile& file)
 {
   constexpr const char* cellsName = "the table of cells";
-  if (!this->File.FindSections(SectionCells).empty())
+  if (file.FindSections(SectionCells).empty())
   {
-    const auto where = this->File.FindSection(SectionCells, cellsName);
-    this->Cells = this->File.Guarded(
-      cellsName, where, [&] { return CellTable::Read(this->File.Read(where, cellsName)); });
+    return std::nullopt;
   }
+  const auto where = file.FindSection(SectionCells, cellsName);
+  return file.Guarded(
+    cellsName, where, [&] { return CellTable::Read(file.Read(where, cellsName)); });
 }
+
+//------------------------------------------------------------------------------
+MeshCounts FileReader::Internals::Count(
+  const Internals& whole, const StreamRef& embedded, const std::string& name)
+{
+  const InputFile file(whole.File, embedded, name);
+  const auto meta = ReadMeta(file);
+  MeshCounts counts{ meta.Points, meta.Tets, meta.Tets };
+  if (const auto cells = ReadCells(file))
+  {
+    counts.Cells = std::accumulate(cells->Types.begin(), cells->Types.end(), std::uint64_t{ 0 },
+      [](std::uint64_t sum, const CellTypeCount& type) { return sum + type.Cells; });
+  }
+  return counts;
+}
+
+//------------------------------------------------------------------------------
 
 void FileReader::Internals::CountCells()
 {
@@ -465,6 +507,21 @@ FileStatistics FileReader::GetStatistics() const
   return s;
 }
 
+//------------------------------------------------------------------------------
+void FileReader::AnnounceDescription() const
+{
+  auto streams = this->Self->GetTables().ListPages();
+  const auto add = [&](const StreamRef& mesh) { InputFile::AddEnds(mesh, streams); };
+  std::for_each(this->Self->Levels.begin(), this->Self->Levels.end(), add);
+  std::for_each(this->Self->Meshes.begin(), this->Self->Meshes.end(), add);
+  if (this->HasBoundary())
+  {
+    add(*this->Self->Boundary);
+  }
+  this->Self->File.Announce(streams);
+}
+
+//------------------------------------------------------------------------------
 std::uint64_t FileReader::GetChunkMeshBytes(std::size_t chunk) const
 {
   return this->Self->GetTables().GetMeshBytes(chunk);

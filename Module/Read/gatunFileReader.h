@@ -130,6 +130,10 @@ public:
 
   FileStatistics GetStatistics() const;
 
+  /** Tells a remote source that the whole file will be described: its statistics, and the counts of
+   * the meshes in it. */
+  void AnnounceDescription() const;
+
   /** The size in the file of the mesh of a chunk and of its array at a step, without shared points.
    */
   std::uint64_t GetChunkMeshBytes(std::size_t chunk) const;
@@ -166,12 +170,16 @@ public:
    * in an order of their own. */
   std::shared_ptr<const FileReader> OpenLevel(std::size_t level) const;
 
+  /** What that consists of, by a part of its tables. */
+  MeshCounts CountLevel(std::size_t level) const;
+
   /** Whether the file has the boundary of the mesh (WriterOptions::Boundary). */
   bool HasBoundary() const;
 
   /** The boundary, a surface with the arrays and time steps of this file and without field data.
    * Opened at each call. */
   std::shared_ptr<const FileReader> OpenBoundary() const;
+  MeshCounts CountBoundary() const;
 
   /** The bounds of a chunk and the ranges of an array after any number of merges up to the given
    * one. They include all corners that the chunk's tetrahedra can get. */

@@ -16,7 +16,7 @@ void FileReader::Internals::ReadBoundary()
   {
     return;
   }
-  this->Boundary = this->File.FindSection(SectionBoundary, "the boundary");
+  this->Boundary = this->File.FindSection(SectionBoundary, BoundaryName);
   if (this->IsSurface)
   {
     this->File.Fail(ErrorCode::Corrupt, "it is a surface, and has a boundary all the same");
@@ -54,5 +54,13 @@ std::shared_ptr<const FileReader> FileReader::OpenBoundary() const
   }
   return std::shared_ptr<const FileReader>(
     new FileReader(std::make_unique<Internals>(*this->Self, *this->Self->Boundary)));
+}
+
+//------------------------------------------------------------------------------
+MeshCounts FileReader::CountBoundary() const
+{
+  return this->HasBoundary()
+    ? Internals::Count(*this->Self, *this->Self->Boundary, Internals::BoundaryName)
+    : MeshCounts();
 }
 }

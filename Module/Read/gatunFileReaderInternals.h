@@ -34,6 +34,10 @@ public:
   /** The boundary in a file. */
   Internals(const Internals& whole, const StreamRef& boundary);
 
+  /** What one of these consists of. */
+  static MeshCounts Count(
+    const Internals& whole, const StreamRef& embedded, const std::string& name);
+
   /** A mesh of a series other than the first. */
   static std::unique_ptr<Internals> MakeMesh(const Internals& whole, std::size_t mesh);
 
@@ -112,6 +116,7 @@ public:
   {
     return "base mesh " + std::to_string(level + 1);
   }
+  static constexpr const char* BoundaryName = "the boundary";
 
   InputFile File;
   MetaTable Meta;
@@ -146,7 +151,9 @@ private:
     CachePolicy::KeepLast };
 
   void Read();
-  void ReadCells();
+  void ReadTables();
+  static MetaTable ReadMeta(const InputFile& file);
+  static std::optional<CellTable> ReadCells(const InputFile& file);
   void CountCells();
   void ReadSurface();
   void ReadLayers();

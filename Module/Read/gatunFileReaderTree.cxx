@@ -28,6 +28,14 @@ std::size_t FindMergeCount(const FileReader::Internals& file, std::size_t merges
   }
   return file.Tree->FindMergeCount(merges);
 }
+
+void CheckLevelNumber(const FileReader& file, std::size_t level)
+{
+  if (level >= file.GetLevels().size())
+  {
+    ThrowInvalid("there is no such base mesh", file.GetPath());
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -160,12 +168,16 @@ const std::vector<std::uint32_t>& FileReader::GetLevels() const
 //------------------------------------------------------------------------------
 std::shared_ptr<const FileReader> FileReader::OpenLevel(std::size_t level) const
 {
-  if (level >= this->GetLevels().size())
-  {
-    ThrowInvalid("there is no such base mesh", this->GetPath());
-  }
+  CheckLevelNumber(*this, level);
   return std::shared_ptr<const FileReader>(
     new FileReader(std::make_unique<Internals>(*this->Self, level)));
+}
+
+//------------------------------------------------------------------------------
+MeshCounts FileReader::CountLevel(std::size_t level) const
+{
+  CheckLevelNumber(*this, level);
+  return Internals::Count(*this->Self, this->Self->Levels[level], Internals::GetLevelName(level));
 }
 
 //------------------------------------------------------------------------------

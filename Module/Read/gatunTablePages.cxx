@@ -76,10 +76,19 @@ TablePages::TablePages(const InputFile& file, const MetaTable& meta, const CellT
       const auto chunks = std::min<std::uint64_t>(this->Index.Chunks, file.GetSize());
       this->Summaries.Infos.reserve(static_cast<std::size_t>(chunks));
       this->Summaries.Lengths.reserve(static_cast<std::size_t>(chunks));
+      std::vector<StreamRef> summaries;
       for (const auto& page : this->Index.Pages)
       {
-        this->Summaries.Add(file.Read(page.Summary, MeshName), this->Index, cells);
+        summaries.push_back(page.Summary);
       }
+      file.ReadTogether(summaries,
+        [&]
+        {
+          for (const auto& summary : summaries)
+          {
+            this->Summaries.Add(file.Read(summary, MeshName), this->Index, cells);
+          }
+        });
       this->Summaries.Finish(this->Index, meta, file.GetSize());
     });
 }
@@ -293,6 +302,21 @@ ArrayRanges TablePages::GetChunkRanges(std::size_t chunk, std::size_t array, std
   const auto first = page->Arrays[array].Ranges.begin() +
     static_cast<std::ptrdiff_t>(count * (chunk % ChunksPerPage));
   return { first, first + static_cast<std::ptrdiff_t>(count) };
+}
+
+//------------------------------------------------------------------------------
+std::vector<StreamRef> TablePages::ListPages() const
+{
+  std::vector<StreamRef> pages;
+  for (const auto& page : this->Index.Pages)
+  {
+    pages.push_back(page.Details);
+  }
+  for (const auto& step : this->Steps)
+  {
+    pages.insert(pages.end(), step.Pages.begin(), step.Pages.end());
+  }
+  return pages;
 }
 
 //------------------------------------------------------------------------------

@@ -81,6 +81,9 @@ public:
 
   ArrayRanges GetChunkRanges(std::size_t chunk, std::size_t array, std::size_t step) const;
 
+  /** Where the pages with the details of the mesh and of all time steps are. */
+  std::vector<StreamRef> ListPages() const;
+
   /** Adds the bytes of streams of the mesh and of its values to the statistics of the file. Reads
    * all pages. */
   void AddBytes(FileStatistics& statistics) const;

@@ -246,6 +246,14 @@ struct ChunkInfo
   Bounds Box;
 };
 
+/** What a mesh consists of. */
+struct MeshCounts
+{
+  std::uint64_t Points = 0;
+  std::uint64_t Cells = 0;
+  std::uint64_t Tets = 0;
+};
+
 /** A time step of a file whose mesh changes. */
 struct SeriesStep
 {

@@ -38,6 +38,7 @@ gatun_core_folder(Write
     gatunBoundaryMerge.h
     gatunSpillSorter.h
     gatunStepSection.h
+    gatunStepTables.h
     gatunTreeLayout.h
     gatunTreeSection.h
     gatunTurnedCells.h
@@ -68,6 +69,7 @@ gatun_core_folder(Write
     gatunStepMotion.cxx
     gatunStepRounding.cxx
     gatunStepSection.cxx
+    gatunStepTables.cxx
     gatunTreeLayout.cxx
     gatunTreeSection.cxx
     gatunTurnedCells.cxx

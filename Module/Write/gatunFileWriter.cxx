@@ -214,6 +214,10 @@ void FileWriter::Internals::WriteStep(std::span<const void* const> values, const
   bool hasTime, double time, const Progress& progress,
   const std::vector<std::vector<Domain>>* rounded, const CellSubset* remaining)
 {
+  if (this->State.Steps.AreLarge())
+  {
+    this->State.Steps.Write(this->State.File, this->State.Meta);
+  }
   const StepValues all{ values, &field, hasTime, time, rounded, remaining };
   if (this->State.Meta.PointsMove && !hasTime)
   {
@@ -248,7 +252,7 @@ void FileWriter::Internals::WriteStep(std::span<const void* const> values, const
   this->Steps.Finish(this->Part, all);
   if (this->Tree)
   {
-    this->Tree->WriteStep(arrays);
+    this->Tree->AddStep(arrays);
     for (const auto& level : this->Levels)
     {
       this->WriteEmbeddedStep(*level, decoded, hasTime, time, domains);
@@ -310,14 +314,14 @@ std::uint64_t FileWriter::Internals::AddEmbedded(FourCC section, Internals& embe
 /** Writes all but the directory. */
 void FileWriter::Internals::Complete()
 {
-  for (const auto& level : this->Levels)
-  {
-    this->State.Statistics.LevelBytes += this->AddEmbedded(SectionLevel, *level->File);
-  }
   if (this->Boundary)
   {
     this->State.Statistics.BoundaryBytes =
       this->AddEmbedded(SectionBoundary, *this->Boundary->File);
+  }
+  for (const auto& level : this->Levels) // the coarsest one is next to the tables
+  {
+    this->State.Statistics.LevelBytes += this->AddEmbedded(SectionLevel, *level->File);
   }
   this->EndOther();
   if (this->NumberOfMeshes > 1 || HasMasks(this->Series))

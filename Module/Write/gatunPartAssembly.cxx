@@ -142,14 +142,9 @@ PartAssembly::PartAssembly(PartExchange& exchange, const PartAgreement& agreemen
 /** Moves a stream to its position in the common file. */
 void PartAssembly::Contribution::Move(StreamRef& stream) const
 {
-  for (const auto& piece : this->Pieces)
+  if (stream.Offset != 0) // there is one
   {
-    // Positions are those of payloads, which follow headers. 0: there is no stream.
-    if (stream.Offset > piece.Begin && stream.Offset <= piece.End)
-    {
-      stream.Offset = stream.Offset - piece.Begin + piece.Offset;
-      return;
-    }
+    stream.Offset = stream.Offset - this->Begin + this->Offset;
   }
 }
 
@@ -162,7 +157,6 @@ Bytes PartAssembly::PutOwn() const
   ByteWriter out;
   out.Put(this->State.File.GetSize());
   PutRaw(out, std::span(this->State.File.GetSections()));
-  PutRaw(out, std::span(std::as_const(this->Steps).GetEnds()));
   PutRaw(out, table.Palettes);
   PutRaw(out, table.Unused.Geometry);
   PutRaw(out, table.Unused.Order);
@@ -212,7 +206,6 @@ PartAssembly::Contribution PartAssembly::Read(const Bytes& message, const Proces
   Contribution part;
   part.Size = in.Get<std::uint64_t>();
   part.Sections = GetRawVector<SectionRef>(in);
-  part.Ends = GetRawVector<std::uint64_t>(in);
   part.Table.Palettes = GetRaw<std::array<PaletteRef, 3>>(in);
   part.Table.Unused.Geometry = GetRaw<StreamRef>(in);
   part.Table.Unused.Order = GetRaw<StreamRef>(in);
@@ -394,7 +387,6 @@ std::vector<PartExchange::Message> PartAssembly::Assemble(
   const std::vector<PartExchange::Message>& messages)
 {
   const auto& shares = this->Agreement.GetShares();
-  const auto last = this->Agreement.GetLast();
   std::vector<Contribution> all;
   const Contribution* first = nullptr;
   for (std::size_t p = 0; p < messages.size(); ++p)
@@ -415,23 +407,17 @@ std::vector<PartExchange::Message> PartAssembly::Assemble(
   }
   auto& file = *this->Common;
   const auto header = file.GetSize();
-  for (std::size_t p = 0; p < all.size(); ++p)
+  for (auto& part : all)
   {
-    auto& part = all[p];
-    auto ends = p == last ? part.Ends : std::vector<std::uint64_t>();
-    ends.push_back(part.Size);
-    auto begin = header;
-    for (std::size_t i = 0; i < ends.size(); begin = ends[i++])
+    if (part.Size > header)
     {
-      if (ends[i] > begin)
-      {
-        part.Pieces.push_back({ begin, ends[i], file.AddSections(part.Sections, begin, ends[i]) });
-      }
-      if (i + 1 < ends.size())
-      {
-        this->State.WriteStep(file, this->MakeStep(all, i));
-      }
+      part.Begin = header;
+      part.Offset = file.AddSections(part.Sections, header, part.Size);
     }
+  }
+  for (std::size_t i = 0; first && i < first->Steps.size(); ++i)
+  {
+    this->State.AddStep(this->MakeStep(all, i));
   }
   this->TakeTables(all);
   this->State.WriteTables(file);
@@ -441,7 +427,9 @@ std::vector<PartExchange::Message> PartAssembly::Assemble(
   {
     ByteWriter out;
     out.PutString(ToText(std::filesystem::absolute(ToPath(file.GetTemporary()))));
-    PutRaw(out, std::span<const Piece>(part.Pieces));
+    out.Put(part.Begin);
+    out.Put(part.Offset);
+    out.Put<std::uint64_t>(part.Begin == 0 ? 0 : part.Size - part.Begin);
     answers.push_back(std::move(out.Data));
   }
   return answers;
@@ -452,9 +440,11 @@ void PartAssembly::CopyOwn(const PartExchange::Message& message) const
 {
   ByteReader in(message);
   const auto path = in.GetString();
-  for (const auto& piece : GetRawVector<Piece>(in))
+  const auto begin = in.Get<std::uint64_t>();
+  const auto offset = in.Get<std::uint64_t>();
+  if (const auto bytes = in.Get<std::uint64_t>(); bytes > 0)
   {
-    this->State.File.CopyTo(path, piece.Begin, piece.Offset, piece.End - piece.Begin);
+    this->State.File.CopyTo(path, begin, offset, bytes);
   }
 }
 

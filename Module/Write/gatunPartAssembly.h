@@ -32,25 +32,17 @@ public:
   FileStatistics Finish();
 
 private:
-  /** Consecutive bytes of a temporary file, and their offset in the common one. */
-  struct Piece
-  {
-    std::uint64_t Begin = 0;
-    std::uint64_t End = 0;
-    std::uint64_t Offset = 0;
-  };
-
   /** The output of a process, with positions in its temporary file. */
   struct Contribution
   {
     std::uint64_t Size = 0;
     std::vector<SectionRef> Sections;
-    std::vector<std::uint64_t> Ends; // of the steps of the last part
-    MeshTable Table;                 // entries of its chunks and blocks
+    MeshTable Table; // entries of its chunks and blocks
     MetaTable Meta;
     FileStatistics Statistics;
     std::vector<StepTable> Steps; // entries of its chunks and blocks
-    std::vector<Piece> Pieces;
+    std::uint64_t Begin = 0;      // of its sections, none if 0
+    std::uint64_t Offset = 0;     // of them in the common file
 
     void Move(StreamRef& stream) const;
   };

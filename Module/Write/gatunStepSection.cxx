@@ -549,13 +549,9 @@ void StepSection::Finish(WriterPart& part, const StepValues& values)
 {
   auto& step = this->GetStep();
   this->PointStep = step.Table.PointsMove ? this->Count : this->PointStep;
-  if (part.Place.IsLast && this->KeepsTables)
+  if (part.Place.IsLast && !this->KeepsTables)
   {
-    this->Ends.push_back(this->State.File.GetSize());
-  }
-  else if (part.Place.IsLast)
-  {
-    this->State.WriteStep(this->State.File, step.Table);
+    this->State.AddStep(step.Table);
     step.Table.Arrays = {};
     step.Domains = {};
     if (this->Count > 0)

@@ -99,9 +99,8 @@ public:
   /** Leaves the STEP sections to one of the processes that write the file. */
   void KeepTables() { this->KeepsTables = true; }
 
-  /** The tables of the steps, and the size of the file behind each one, if they are kept. */
+  /** The tables of the steps, if they are kept. */
   std::vector<StepInput>& GetSteps() { return this->Steps; }
-  const std::vector<std::uint64_t>& GetEnds() const { return this->Ends; }
 
   /** Writes the next step of a part except the STEP section. Times must ascend, and be those of
    * the first part. The result is valid until the next call. */
@@ -158,7 +157,6 @@ private:
   std::size_t Count = 0;
   std::size_t PointStep = 0; // the last step with coordinates of its own, if the points move
   bool KeepsTables = false;
-  std::vector<std::uint64_t> Ends;
   Bytes LastField;
   StreamRef LastFieldRef;
   std::vector<std::unique_ptr<RoundedArray>> Rounded; // of the current step; null: exact values

@@ -90,7 +90,7 @@ void TreeSection::WriteMerges()
 }
 
 //------------------------------------------------------------------------------
-void TreeSection::WriteStep(const std::vector<ArrayInput>& inputs)
+void TreeSection::AddStep(const std::vector<ArrayInput>& inputs)
 {
   TreeStepTable step;
   for (const ArrayInput& input : inputs)
@@ -123,9 +123,9 @@ void TreeSection::WriteStep(const std::vector<ArrayInput>& inputs)
       }
     }
   }
-  const auto bytes = step.Write();
+  auto bytes = step.Write();
   this->State.Statistics.TreeBytes += bytes.size();
-  this->State.File.AddSection(SectionTreeStep, bytes, 0);
+  this->State.Steps.AddMerged(std::move(bytes));
 }
 
 //------------------------------------------------------------------------------

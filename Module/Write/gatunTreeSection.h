@@ -25,8 +25,8 @@ public:
   /** The merges in the numbers of the file. */
   const MergeTree& GetTree() const { return this->Layout.GetTree(); }
 
-  /** Writes the ranges of the point arrays after merges. */
-  void WriteStep(const std::vector<ArrayInput>& inputs);
+  /** Adds the ranges of the point arrays after merges to the tables of the last step. */
+  void AddStep(const std::vector<ArrayInput>& inputs);
 
   /** Writes the TREE section. levels: the numbers of merges of the base meshes. */
   void WriteTable(std::vector<std::uint32_t> levels);

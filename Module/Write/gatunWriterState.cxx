@@ -128,8 +128,9 @@ void WriterState::LinkGroups()
 }
 
 //------------------------------------------------------------------------------
-void WriterState::WriteTables(OutputFile& file) const
+void WriterState::WriteTables(OutputFile& file)
 {
+  this->Steps.Write(file, this->Meta);
   if (this->HasCells)
   {
     file.AddSection(SectionCells, this->Cells.Write());
@@ -147,13 +148,9 @@ void WriterState::WriteTables(OutputFile& file) const
 }
 
 //------------------------------------------------------------------------------
-void WriterState::WriteStep(OutputFile& file, const StepTable& step) const
+void WriterState::AddStep(const StepTable& step)
 {
-  PageSection pages(file);
-  const auto index = WriteStepPages(step, this->Meta, MakeMeshIndex(this->Table),
-    [&](const Bytes& page) { return pages.Put(page); });
-  pages.Write();
-  file.AddSection(SectionStep, index.Write(this->Meta));
+  this->Steps.Add(step, this->Meta, MakeMeshIndex(this->Table));
 }
 
 //------------------------------------------------------------------------------

@@ -12,7 +12,7 @@
 #include "gatunOutputFile.h"
 #include "gatunPartition.h"
 #include "gatunSharedGroups.h"
-#include "gatunStepPages.h"
+#include "gatunStepTables.h"
 #include "gatunWriterOptions.h"
 
 #include <array>
@@ -104,11 +104,11 @@ public:
   /** Makes the blocks of shared points when the groups of all parts are known. */
   void LinkGroups();
 
-  /** Writes the tables of cells, blocks and chunks. */
-  void WriteTables(OutputFile& file) const;
+  /** Adds the table of a time step whose values are all in the file. */
+  void AddStep(const StepTable& step);
 
-  /** Writes a time step whose values are all in the file. */
-  void WriteStep(OutputFile& file, const StepTable& step) const;
+  /** Writes the tables of time steps, cells, blocks and chunks. */
+  void WriteTables(OutputFile& file);
 
   /** Moves a file to its path when all sections have been added. Returns the statistics. */
   FileStatistics Commit(OutputFile& file);
@@ -117,6 +117,7 @@ public:
   OutputFile File;
   MetaTable Meta;
   MeshTable Table;
+  StepTables Steps;
   SharedGroups Groups;
   UnusedPoints Unused;
   CellTable Cells;

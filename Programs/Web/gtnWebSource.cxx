@@ -38,15 +38,7 @@ int WebSource::ReadAt(std::uint64_t offset, std::span<std::uint8_t>& bytes) cons
   {
     return 0;
   }
-  auto wanted = this->FindBlocks({ { offset, length } }, 0);
-  auto& [first, count] = wanted.front();
-  if (first > 0 && count == 1 && first == (size - 1) / WebBlock)
-  {
-    // Files end with their tables, and the last block is a part of one.
-    --first;
-    ++count;
-  }
-  for (const auto& [number, block] : this->Obtain(wanted))
+  for (const auto& [number, block] : this->Obtain(this->FindBlocks({ { offset, length } }, 0)))
   {
     const auto begin = number * WebBlock;
     const auto from = std::max(begin, offset);

@@ -246,15 +246,6 @@ class File:
             values = (chosen, self._find_component(chosen, None), float(low), float(high))
         return make_request(number, arrays, values=values, **options)
 
-    def _fetch(self, request):
-        """Lets a source that can do so fetch all that a request needs at once."""
-        fetch = getattr(self._handle.source, "fetch", None)
-        if fetch:
-            fetch(self._plan(request, 0))
-
-    def _plan(self, request, gap):
-        return get_ranges(self._handle, library.gatun_plan, ctypes.byref(request.structure), gap)
-
     # Reading
 
     def read(
@@ -327,7 +318,6 @@ class File:
                 restore_order=restore_order,
             )
         )
-        self._fetch(request)
         options = {"ids": ids, "ghosts": pieces > 1 or ghost_levels > 0, "wide_ids": wide_ids}
         arguments = (ctypes.byref(request.structure),)
         return read_piece(
@@ -349,7 +339,8 @@ class File:
         """
         for name in ("ids", "wide_ids"):
             options.pop(name, None)
-        return self._plan(self._make_request({"step": None, "time": None, "arrays": None, **options}), gap)
+        request = self._make_request({"step": None, "time": None, "arrays": None, **options})
+        return get_ranges(self._handle, library.gatun_plan, ctypes.byref(request.structure), gap)
 
     def contour(
         self,
@@ -385,10 +376,6 @@ class File:
             raise ValueError("values: have to be finite numbers")
         part = {"step": step, "time": time, "piece": piece, "pieces": pieces, "ratio": ratio, "level": level}
         request = self._make_request({**part, "arrays": arrays})
-        if hasattr(self._handle.source, "fetch"):
-            needed = sorted({number, *request.numbers})
-            span = (number, sorted_values[0], sorted_values[-1])
-            self._fetch(self._make_request({**part, "arrays": needed, "values": span}))
         contour = _c.Contour(
             array=number,
             component=self._find_component(number, component),
@@ -431,7 +418,6 @@ class File:
         """
         part = {"step": step, "time": time, "piece": piece, "pieces": pieces, "ratio": ratio, "level": level}
         request = self._make_request({**part, "arrays": arrays, "plane": (origin, normal)})
-        self._fetch(request)
         return read_piece(
             self,
             self._handle,
@@ -510,8 +496,6 @@ class File:
         number = self._find_array(self._choose_array() if array is None else array)
         chosen = self._find_component(number, component)
         index = self.find_step(step, time)
-        part = {"step": index, "time": None, "arrays": [number], "ratio": ratio, "level": level}
-        self._fetch(self._make_request(part))
         view = {"azimuth": azimuth, "elevation": elevation, "roll": roll, "zoom": zoom}
         view.update(direction=direction, up=up, parallel=parallel, camera=camera)
         transfer = {"colors": colors, "opacity": opacity, "range": range, "blend": blend}

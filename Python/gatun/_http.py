@@ -105,11 +105,7 @@ class HttpSource:
         if offset >= end:
             return b""
         numbers = range(offset // _BLOCK, (end - 1) // _BLOCK + 1)
-        wanted = numbers
-        if numbers[-1] == (self.size - 1) // _BLOCK:
-            # Files end with their tables, and the last block is a part of one.
-            wanted = range(max(min(numbers[0], numbers[-1] - 1), 0), numbers[-1] + 1)
-        blocks = self._obtain(wanted)
+        blocks = self._obtain(numbers)
         data = b"".join(blocks[number] for number in numbers)
         start = offset - numbers[0] * _BLOCK
         return data[start : start + end - offset]
@@ -121,9 +117,14 @@ class HttpSource:
             ranges: pairs of offset and length.
         """
         numbers = set()
-        for offset, length in ranges:
-            if length > 0:
-                numbers.update(range(offset // _BLOCK, (min(offset + length, self.size) - 1) // _BLOCK + 1))
+        before = None  # the end of the range before
+        for offset, length in sorted(ranges):
+            end = min(offset + length, self.size)
+            if length > 0 and offset < end:
+                # A small gap is fetched rather than to make another request.
+                start = before if before is not None and before < offset <= before + _BLOCK else offset
+                numbers.update(range(start // _BLOCK, (end - 1) // _BLOCK + 1))
+                before = end
         # More would push each other out; read fetches the rest.
         self._obtain(sorted(numbers)[: self._most_kept])
 

@@ -96,6 +96,7 @@ def _define(name, *members, base=_Structure):
 
 Buffer = _define("Buffer", ("data", _POINTER), ("bytes", _U64), base=ctypes.Structure)
 Range = _define("Range", ("offset length", _U64), base=ctypes.Structure)
+Fetch = ctypes.CFUNCTYPE(ctypes.c_int, _POINTER, ctypes.POINTER(Range), _SIZE)
 Source = _define(
     "Source",
     ("bytes", _U64),
@@ -103,6 +104,7 @@ Source = _define(
     ("close", Close),
     ("user", _POINTER),
     ("name", _TEXT),
+    ("fetch", Fetch),
 )
 Info = _define(
     "Info",

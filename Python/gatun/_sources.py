@@ -12,7 +12,7 @@ import os
 import threading
 
 from ._exceptions import NotHere
-from ._library import SOURCE_NOT_HERE, Call, Close, Range, Read, Source, check, encode
+from ._library import SOURCE_NOT_HERE, Call, Close, Fetch, Range, Read, Source, check, encode
 
 
 class BytesSource:
@@ -30,7 +30,8 @@ class BytesSource:
 
 
 class _Adapter:
-    """An object with ``size`` and ``read`` as a source of the library, whose exceptions it keeps."""
+    """An object with ``size``, ``read`` and perhaps ``fetch`` as a source of the library, whose
+    exceptions it keeps."""
 
     def __init__(self, source):
         self._source = source
@@ -38,11 +39,13 @@ class _Adapter:
         self._failures = []
         name = getattr(source, "name", None)
         self._read = Read(self._read_bytes)
+        self._fetch = Fetch(self._fetch_ranges) if hasattr(source, "fetch") else Fetch()
         self.structure = Source(
             bytes=int(source.size),
             read=self._read,
             close=Close(),
             name=name.encode("utf-8", "replace").replace(b"\0", b"?") if isinstance(name, str) else None,
+            fetch=self._fetch,
         )
 
     def _read_bytes(self, _, offset, to, length):
@@ -53,16 +56,27 @@ class _Adapter:
             target = (ctypes.c_char * length).from_address(to)
             memoryview(target).cast("B")[:] = data
             return 0
-        except NotHere:
-            return SOURCE_NOT_HERE
         except BaseException as error:  # pylint: disable=broad-except
-            with self._lock:
-                self._failures.append(error)
-            number = getattr(error, "errno", None)
-            return number if isinstance(number, int) and number > 0 else errno.EIO
+            return self._keep(error)
+
+    def _fetch_ranges(self, _, ranges, count):
+        try:
+            self._source.fetch([(r.offset, r.length) for r in ranges[:count]])
+            return 0
+        except BaseException as error:  # pylint: disable=broad-except
+            return self._keep(error)
+
+    def _keep(self, error):
+        """Keeps what the source has raised. Returns its number for the library."""
+        if isinstance(error, NotHere):
+            return SOURCE_NOT_HERE
+        with self._lock:
+            self._failures.append(error)
+        number = getattr(error, "errno", None)
+        return number if isinstance(number, int) and number > 0 else errno.EIO
 
     def take_failure(self):
-        """What read has raised last, if it has not been taken before."""
+        """What the source has raised last, if it has not been taken before."""
         with self._lock:
             found, self._failures = self._failures[-1:], []
         return found[0] if found else None

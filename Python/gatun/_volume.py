@@ -158,9 +158,6 @@ class Volume:
             progress: a function of the fraction that is done; it may return False to stop.
         """
         box = self._find_box(first, end)
-        fetch = getattr(self._handle.source, "fetch", None)
-        if fetch:
-            fetch(self.plan(first, end))
         values = Target(allocate).make(self.name, self.dtype, tuple(high - low for low, high in zip(*box))[::-1])
         buffer = to_buffer(values)
         self._handle.call(

@@ -5,8 +5,11 @@
 
 #include "gatunBlock.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <map>
+#include <random>
 #include <thread>
 
 namespace
@@ -30,6 +33,17 @@ struct Remote
     {
       this->Fetched += !this->IsHere[i];
       this->IsHere[i] = 1;
+    }
+  }
+
+  /** A request, unless all has been fetched. */
+  void Need(std::uint64_t offset, std::uint64_t length)
+  {
+    const auto begin = this->IsHere.begin() + static_cast<std::ptrdiff_t>(offset);
+    if (std::find(begin, begin + static_cast<std::ptrdiff_t>(length), 0) !=
+      begin + static_cast<std::ptrdiff_t>(length))
+    {
+      this->Fetch(offset, length);
     }
   }
 
@@ -182,6 +196,112 @@ TEST_P(LibrarySources, ReadWhatIsPlannedOnly)
 }
 
 INSTANTIATE_TEST_SUITE_P(Requests, LibrarySources, ::testing::Range(0, 6));
+
+/** A file with time steps of noise, which makes them long, a boundary and a coarser mesh. */
+std::string MakeStepsFile(int steps)
+{
+  const auto path = PathOf("steps" + std::to_string(steps) + ".gtn");
+  Block block(20);
+  auto options = Make<gatun_options>();
+  options.levels = 1;
+  options.boundary = 1;
+  const auto mesh = block.GetMesh();
+  const auto arrays = block.GetArrays();
+  gatun_writer* writer = nullptr;
+  EXPECT_OK(gatun_create(
+    path.c_str(), &mesh, arrays.data(), arrays.size(), &options, nullptr, nullptr, &writer));
+  std::mt19937_64 random;
+  for (int step = 0; step < steps; ++step)
+  {
+    for (double& value : block.Field)
+    {
+      value = static_cast<double>(random());
+    }
+    const std::array<gatun_buffer, 2> buffers{ BufferOf(block.Field), BufferOf(block.Numbers) };
+    auto values = Make<gatun_values>();
+    values.arrays = buffers.data();
+    values.array_count = buffers.size();
+    values.has_time = 1;
+    values.time = step;
+    EXPECT_OK(gatun_write_step(writer, &values, nullptr, nullptr));
+  }
+  EXPECT_OK(gatun_finish(writer, nullptr));
+  return path;
+}
+
+/** A source with fetch, as one on a web server: each range is a request. */
+gatun_source GetServer(Remote& remote)
+{
+  auto source = remote.GetSource();
+  source.read = [](void* user, std::uint64_t offset, void* to, std::size_t length)
+  {
+    auto& self = *static_cast<Remote*>(user);
+    self.Need(offset, length);
+    std::memcpy(to, self.Bytes.data() + offset, length);
+    return 0;
+  };
+  source.fetch = [](void* user, const gatun_range* ranges, std::size_t count)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      EXPECT_TRUE(i == 0 || ranges[i].offset > ranges[i - 1].offset + ranges[i - 1].length);
+      static_cast<Remote*>(user)->Need(ranges[i].offset, ranges[i].length);
+    }
+    return 0;
+  };
+  return source;
+}
+
+TEST(LibrarySource, NeedsNoMoreRequestsForMoreSteps)
+{
+  const std::map<int, std::string> paths{ { 20, MakeStepsFile(20) }, { 50, MakeStepsFile(50) } };
+  const auto count = [&](int steps, auto&& open)
+  {
+    Remote remote(paths.at(steps));
+    gatun_file* file = open(remote);
+    auto info = Make<gatun_info>();
+    EXPECT_OK(gatun_get_info(file, &info));
+    EXPECT_EQ(info.steps, static_cast<std::uint32_t>(steps));
+    EXPECT_EQ(info.levels, 1u);
+    gatun_close(file);
+    EXPECT_LT(remote.Fetched, remote.Bytes.size() / 2);
+    return remote.Requests;
+  };
+  const auto describe = [](Remote& remote)
+  {
+    const auto source = GetServer(remote);
+    gatun_file* file = nullptr;
+    EXPECT_OK(gatun_open_source(&source, 0, &file));
+    std::size_t length = 0;
+    EXPECT_OK(gatun_describe(file, 0, nullptr, 0, &length));
+    return file;
+  };
+  const auto open = [](Remote& remote)
+  {
+    const auto source = remote.GetSource();
+    gatun_file* file = nullptr;
+    EXPECT_OK(remote.Repeat([&] { return gatun_open_source(&source, 0, &file); }));
+    return file;
+  };
+  // Both ends of the file and of each mesh in it, the tables, the summary and the pages.
+  EXPECT_LE(count(20, describe), 9);
+  EXPECT_EQ(count(50, describe), count(20, describe));
+  EXPECT_EQ(count(50, open), count(20, open));
+}
+
+TEST(LibrarySource, TellsThatFetchingFails)
+{
+  Remote remote(MakeLeveledFile("fetch.gtn"));
+  auto source = GetServer(remote);
+  source.fetch = [](void*, const gatun_range*, std::size_t) { return EIO; };
+  gatun_file* file = nullptr;
+  EXPECT_EQ(gatun_open_source(&source, 0, &file), GATUN_CANNOT_OPEN);
+  EXPECT_EQ(std::string(gatun_error()).substr(0, 11), "remote.gtn:");
+  source.fetch = [](void*, const gatun_range*, std::size_t)
+  { return static_cast<int>(GATUN_SOURCE_NOT_HERE); };
+  ASSERT_OK(gatun_open_source(&source, 0, &file)); // read has it
+  gatun_close(file);
+}
 
 TEST(LibrarySource, IsClosedIfTheFileCannotBeOpened)
 {

@@ -67,7 +67,7 @@ class Http(unittest.TestCase):
 
             _, requests, amount = count(lambda file: (file.info, file.arrays, file.times))
             self.assertLessEqual(requests, 5)
-            self.assertLessEqual(amount, 6 * BLOCK)
+            self.assertLessEqual(amount, 7 * BLOCK)
             grid, requests, amount = count(lambda file: file.read(level=2, arrays=[]))
             require_same_grids(grid, level)
             self.assertLessEqual(requests, 6)
@@ -82,6 +82,24 @@ class Http(unittest.TestCase):
                 require_same_grids(grid, local.read())
             self.assertLessEqual(amount, len(self.data))
             self.assertLessEqual(requests, 12)
+
+    def test_steps(self):
+        """A file with more steps needs no more requests to be described."""
+
+        def count(steps):
+            points, tets = make_cube(20)
+            path = find(f"steps{steps}.gtn")
+            generator = np.random.default_rng(1)
+            with gatun.Writer(path, levels=2, boundary=True, overwrite=True) as writer:
+                writer.add_mesh(points, tets)
+                for step in range(steps):
+                    writer.write_step(point_data={"a": generator.normal(size=len(points))}, time=step)
+            with Server(pathlib.Path(path).read_bytes()) as server, gatun.open(server.url) as file:
+                self.assertEqual(len(file.info["times"]), steps)
+                return len(server.http.log)
+
+        self.assertEqual(count(40), count(20))
+        self.assertLessEqual(count(40), 6)
 
     def test_store(self):
         """What has been fetched is kept up to a limit, and read once."""
