@@ -84,6 +84,7 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << "\n" << indent << "Profile: " << (this->Profile == PROFILE_FAST ? "Fast" : "Small") << "\n";
   os << indent << "Hierarchy: " << (this->Hierarchy ? "On" : "Off") << "\n";
   os << indent << "Levels: " << this->Levels << "\n";
+  os << indent << "HierarchyMemory: " << this->HierarchyMemory << "\n";
   os << indent << "WriteBoundary: " << (this->WriteBoundary ? "On" : "Off") << "\n";
   this->Internals->Weights.Print(os, indent);
   os << indent << "LayerArray: " << (this->LayerArray.empty() ? "(none)" : this->LayerArray)
@@ -335,9 +336,9 @@ void vtkGatunWriter::WriteTogether()
       {
         gatun::ThrowInvalid("no FileName was set");
       }
+      self.IsTogether = true;
       self.BeginPieces(exchange.GetProcesses());
       self.Piece = exchange.GetProcess();
-      self.IsTogether = true;
     });
   for (const bool surveying : { true, false })
   {
@@ -564,22 +565,27 @@ void vtkGatunWriter::WritePiece(vtkDataObject* input)
   const double all = 2 * steps * pieces;
   const double done = static_cast<double>(self.Step) + (self.IsTogether ? 0 : steps * self.Piece);
   const bool isFirst = self.Step == 0;
-  this->UpdateProgress(self.Surveying ? done / all : 0.5 + done / all);
+  const auto report = [&](double stepsDone)
+  {
+    this->UpdateProgress(
+      self.GetPartOfPieces() * ((self.Surveying ? 0 : 0.5) + (done + stepsDone) / all));
+  };
+  report(0);
   if (self.Surveying)
   {
     self.Pieces->SetIsSurface(*self.IsSurface);
     self.Pieces->Survey(grid, isFirst);
-    this->UpdateProgress((done + 1) / all);
+    report(1);
   }
   else
   {
     self.Pieces->Write(grid, isFirst, self.DescribeStep(input, grid->GetFieldData()),
       [&](double fraction)
       {
-        this->UpdateProgress(0.5 + (done + fraction) / all);
+        report(fraction);
         return !gatun::IsAborted(this);
       });
-    this->UpdateProgress(0.5 + (done + 1) / all);
+    report(1);
   }
   if (gatun::IsAborted(this))
   {

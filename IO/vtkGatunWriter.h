@@ -52,8 +52,9 @@
  * values of all arrays at all steps. Without ids, points inside of pieces are not compared, which
  * matters for lines and surfaces of one piece that touch the inside of another one. Points that
  * differ stay apart, with a warning. An input that does not know pieces is one piece. The time
- * steps of a piece follow each other. A hierarchy and layers need the whole mesh and are an error.
- * Points that need more than 64 MiB go into unnamed temporary files in the folder of the file.
+ * steps of a piece follow each other. Levels and layers need the whole mesh and are an error, and
+ * so is a hierarchy with several processes. Points that need more than 64 MiB go into unnamed
+ * temporary files in the folder of the file.
  *
  * Processes: with Controller, each process writes its own piece; there is one piece per process.
  * Points of several pieces become one as above. Only the points on the boundaries of pieces and
@@ -221,6 +222,11 @@ public:
    * vtkGatunSimplify merges points, with the defaults of that filter and the values of the first
    * time step, and which merges depend on which, so that some places can be simplified more than
    * others. This takes the time and memory of that filter. Default: off.
+   *
+   * Of a mesh in pieces (NumberOfPieces) the merges are found in groups of tetrahedra that are in
+   * memory one after the other, with temporary files of some 40 bytes a tetrahedron beside the
+   * file. Errors are within some percent of those of the whole mesh. Which merges depend on which
+   * is not stored then.
    */
   vtkSetMacro(Hierarchy, bool);
   vtkGetMacro(Hierarchy, bool);
@@ -236,6 +242,15 @@ public:
    */
   vtkSetClampMacro(Levels, int, 0, 64);
   vtkGetMacro(Levels, int);
+  ///@}
+
+  ///@{
+  /**
+   * Memory for finding the hierarchy of a mesh in pieces, in MiB: there is a thread for each 320
+   * MiB, at least one. Some 50 bytes a point are needed beside it. 0: all threads. Default: 0.
+   */
+  vtkSetClampMacro(HierarchyMemory, int, 0, VTK_INT_MAX);
+  vtkGetMacro(HierarchyMemory, int);
   ///@}
 
   ///@{
@@ -439,6 +454,7 @@ protected:
   int KeyStepInterval = 8;
   int Profile = PROFILE_FAST;
   bool Hierarchy = false;
+  int HierarchyMemory = 0;
   int Levels = 0;
   bool WriteBoundary = false;
   std::string LayerArray;

@@ -60,6 +60,13 @@ std::function<bool(double)> vtkGatunWriter::vtkInternals::MakeProgress(std::size
 }
 
 //------------------------------------------------------------------------------
+// The part of the progress that surveying and writing all pieces make.
+double vtkGatunWriter::vtkInternals::GetPartOfPieces() const
+{
+  return this->Owner->Hierarchy ? 0.4 : 1;
+}
+
+//------------------------------------------------------------------------------
 // The input as a grid that can be written, with warnings of what has changed.
 vtkSmartPointer<vtkUnstructuredGrid> vtkGatunWriter::vtkInternals::MakeGrid(vtkDataObject* input)
 {
@@ -132,9 +139,9 @@ gatun::ErrorBound vtkGatunWriter::vtkInternals::GetPointBound() const
 }
 
 //------------------------------------------------------------------------------
-// tree: the hierarchy if it is there; receives it otherwise, if it is wanted.
+// tree: the hierarchy if it is there; receives it otherwise, if it is wanted. Null: without one.
 gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(vtkUnstructuredGrid* grid,
-  const std::vector<gatun::BridgedArray>& arrays, std::unique_ptr<gatun::MergeTree>& tree)
+  const std::vector<gatun::BridgedArray>& arrays, std::unique_ptr<gatun::MergeTree>* tree)
 {
   gatun::WriterOptions options;
   options.Keep = static_cast<std::uint8_t>(this->Owner->KeepOrder);
@@ -154,13 +161,13 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(vtkUnstructuredGr
     options.Layers->Count = static_cast<std::uint32_t>(this->Owner->NumberOfLayers);
     options.Layers->Spacing = static_cast<gatun::LayerSpacing>(this->Owner->LayerSpacing);
   }
-  if (this->Owner->Hierarchy)
+  if (this->Owner->Hierarchy && tree)
   {
-    if (!tree)
+    if (!*tree)
     {
-      tree = std::make_unique<gatun::MergeTree>(this->BuildTree(grid, options.IsSurface));
+      *tree = std::make_unique<gatun::MergeTree>(this->BuildTree(grid, options.IsSurface));
     }
-    options.Tree = tree.get();
+    options.Tree = tree->get();
     options.Dependencies = true;
     options.Levels = static_cast<unsigned>(this->Owner->Levels);
   }
@@ -261,7 +268,7 @@ bool vtkGatunWriter::vtkInternals::UseMesh(vtkUnstructuredGrid* grid,
   {
     added.Tree = std::move(this->FirstTree);
   }
-  const gatun::WriterOptions options = this->MakeOptions(grid, arrays, added.Tree);
+  const gatun::WriterOptions options = this->MakeOptions(grid, arrays, &added.Tree);
   const auto progress = this->MakeProgress(this->Step);
   if (!this->File)
   {
@@ -424,11 +431,17 @@ void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
     gatun::ThrowInvalid("steps are added to a file from the whole mesh, in one piece and one "
                         "process");
   }
-  if (owner->Hierarchy || !owner->LayerArray.empty())
+  if ((owner->Hierarchy && owner->Levels > 0) || !owner->LayerArray.empty())
   {
-    gatun::ThrowInvalid("a hierarchy or layers need the whole mesh in one piece and one process; "
-                        "write the file without them, and add them with 'gtn pack --hierarchy' or "
-                        "'gtn pack --layers'");
+    gatun::ThrowInvalid(
+      "coarser meshes or layers need the whole mesh in one piece and one process; "
+      "write the file without them, and add them with 'gtn pack --levels' or "
+      "'gtn pack --layers'");
+  }
+  if (owner->Hierarchy && this->IsTogether)
+  {
+    gatun::ThrowInvalid("a hierarchy needs all pieces in one process; write the file without it, "
+                        "and add it with 'gtn pack --hierarchy'");
   }
   if (owner->WriteBoundary)
   {
@@ -443,18 +456,28 @@ void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
       "of the whole mesh, in one piece and one process; give an absolute one");
   }
   gatun::PartWriterOptions options;
-  std::unique_ptr<gatun::MergeTree> none;
-  options.File = this->MakeOptions(nullptr, {}, none);
+  options.File = this->MakeOptions(nullptr, {});
+  options.HierarchyMemory = static_cast<std::uint64_t>(owner->HierarchyMemory) << 20;
   this->Pieces = std::make_unique<gatun::GridPieces>(
     owner->FileName ? owner->FileName : "", options,
     [this](vtkUnstructuredGrid* piece) { return this->SelectArrays(piece); },
     vtkGatunWriter::JOIN_POINTS());
+  if (owner->Hierarchy)
+  {
+    this->Pieces->SetHierarchy(this->Weights);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkGatunWriter::vtkInternals::FinishPieces(const gatun::ProcessExchange* exchange)
 {
-  const gatun::PartStatistics statistics = this->Pieces->Finish();
+  const gatun::PartStatistics statistics = this->Pieces->Finish(
+    [this](double fraction)
+    {
+      const double before = this->GetPartOfPieces();
+      this->Owner->UpdateProgress(before + (1 - before) * fraction);
+      return !gatun::IsAborted(this->Owner);
+    });
   this->BytesSent = exchange ? exchange->GetBytesSent() : 0;
   if (this->Pieces->ArePointsConverted())
   {

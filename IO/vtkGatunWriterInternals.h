@@ -49,8 +49,10 @@ public:
 
   void Warn(const std::string& what);
   std::function<bool(double)> MakeProgress(std::size_t part);
+  double GetPartOfPieces() const;
   gatun::WriterOptions MakeOptions(vtkUnstructuredGrid* grid,
-    const std::vector<gatun::BridgedArray>& arrays, std::unique_ptr<gatun::MergeTree>& tree);
+    const std::vector<gatun::BridgedArray>& arrays,
+    std::unique_ptr<gatun::MergeTree>* tree = nullptr);
 
   // Lets the current time step have a mesh: one that was written, if it has the same cells, or a
   // new one, which takes the mesh over. Returns false if the points move, and the file is one whose

@@ -587,6 +587,10 @@ extern "C"
    * gatun_add_part with gatun_write_step for each step, for all parts; then gatun_finish. Points of
    * several parts are one point if their global ids, or without ids their coordinates, and their
    * values are the same.
+   *
+   * The hierarchy is that of the whole mesh. It is found by gatun_finish, with temporary files in
+   * the folder of the file: 40 bytes a tetrahedron for a field, and 8 bytes a point for each
+   * component and step.
    */
   GATUN_API gatun_status gatun_create_parts(const char* path, const gatun_array* arrays,
     size_t array_count, const gatun_options* options, gatun_writer** writer);

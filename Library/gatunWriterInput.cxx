@@ -136,27 +136,24 @@ void TakenArrays::AddFields(MeshMerges& merges, std::span<const void* const> val
 {
   const auto isField = [&](std::size_t i)
   { return this->List[i].Where == Association::Point && values[i]; };
-  const auto add = [&](auto&& weigh)
+  const auto weights = this->FindWeights();
+  for (std::size_t i = 0; i < this->List.size(); ++i)
   {
-    bool any = false;
-    for (std::size_t i = 0; i < this->List.size(); ++i)
+    Need(isField(i) || !(this->Weights[i] > 0),
+      "an array with a weight in the hierarchy has no values of points");
+    if (isField(i) && weights[i] > 0)
     {
-      if (const double weight = weigh(i); weight > 0)
-      {
-        Need(isField(i), "an array with a weight in the hierarchy has no values of points");
-        merges.AddArray(this->List[i].Type, values[i], this->List[i].Components, weight);
-        any = true;
-      }
+      merges.AddArray(this->List[i].Type, values[i], this->List[i].Components, weights[i]);
     }
-    return any;
-  };
-  constexpr std::uint32_t scalars = 1;
-  if (!add([&](std::size_t i) { return this->Weights[i]; }) &&
-    !add([&](std::size_t i)
-      { return isField(i) && (this->List[i].AttributeRoles & scalars) ? 1. : 0.; }))
-  {
-    add([&](std::size_t i) { return isField(i) ? 1. : 0.; });
   }
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> TakenArrays::FindWeights() const
+{
+  const bool any = std::any_of(
+    this->Weights.begin(), this->Weights.end(), [](double weight) { return weight > 0; });
+  return any ? this->Weights : FindDefaultWeights(this->List);
 }
 
 //------------------------------------------------------------------------------

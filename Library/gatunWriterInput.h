@@ -41,6 +41,9 @@ public:
   /** Gives the arrays of a file the errors and weights of these ones, if there are any. */
   void SetList(const std::vector<ArrayDescription>& list);
 
+  /** The weights of the arrays in a hierarchy, or the default ones if all are 0. */
+  std::vector<double> FindWeights() const;
+
   /** The hierarchy of a mesh, by the values of its first step and the weights. */
   MergeTree BuildTree(const MeshInput& mesh, bool isSurface, std::span<const void* const> values,
     const MeshMerges::Progress& progress) const;

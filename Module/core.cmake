@@ -1,4 +1,4 @@
-# The core, which knows nothing of VTK: sixteen folders, each with a files.cmake, and the object library
+# The core, which knows nothing of VTK: seventeen folders, each with a files.cmake, and the object library
 # gatunObjects of their sources. VTK's module and the library without VTK are made of it. Both include this file;
 # the first one makes the target.
 #
@@ -38,7 +38,7 @@ endmacro ()
 
 # Each may include those before it that it names.
 foreach (name IN ITEMS
-    Support Cells Coding Fast Walk Values Format Merge Mesh Read Write Surface Rays Detail Hartley Describe)
+    Support Cells Coding Fast Walk Values Format Merge Parts Mesh Read Write Surface Rays Detail Hartley Describe)
   include("${CMAKE_CURRENT_LIST_DIR}/${name}/files.cmake")
 endforeach ()
 

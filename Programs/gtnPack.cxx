@@ -324,7 +324,8 @@ void AddPack(CLI::App& app, Settings& settings)
     ->option_text("N");
   command->add_flag("--hierarchy", options->Hierarchy,
     "Store a hierarchy of edge collapses, so that the mesh can be read and rendered at any level "
-    "of detail (see gtn simplify)");
+    "of detail (see gtn simplify). With --memory or --pieces, the mesh is never in memory as a "
+    "whole");
   command
     ->add_option("--levels", options->Levels,
       "Store the hierarchy and up to N coarser meshes, 0 to 64, each with half of the points of "

@@ -183,6 +183,10 @@ void GridPieces::Open(const Input& input)
     this->Arrays.push_back(array.Description);
   }
   this->Options.JoinByIdsOnly = this->FindMarked(input.Grid) != nullptr;
+  if (this->Weights)
+  {
+    this->Options.Weights = this->Weights->Find(this->Arrays);
+  }
   this->File = std::make_unique<PartWriter>(this->Path, this->Arrays, this->Options);
 }
 
@@ -303,7 +307,7 @@ void GridPieces::Write(vtkUnstructuredGrid* piece, bool isFirst, const Step& ste
 }
 
 //------------------------------------------------------------------------------
-PartStatistics GridPieces::Finish()
+PartStatistics GridPieces::Finish(const std::function<bool(double)>& progress)
 {
   if (!this->File)
   {
@@ -317,7 +321,7 @@ PartStatistics GridPieces::Finish()
   {
     this->File->Write({});
   }
-  auto statistics = this->File->Finish();
+  auto statistics = this->File->Finish(progress);
   this->File.reset();
   this->Current = {};
   return statistics;

@@ -7,6 +7,7 @@
 #include "gatunArrayBridge.h"
 #include "gatunBridgedMesh.h"
 #include "gatunFieldData.h"
+#include "gatunMergeGrid.h"
 #include "gatunPartExchange.h"
 #include "gatunPartWriter.h"
 
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,6 +62,9 @@ public:
    * surveyed, and before OpenTogether. */
   void SetIsSurface(bool isSurface) { this->Options.File.IsSurface = isSurface; }
 
+  /** Asks for a hierarchy. To be called before the first piece is surveyed. */
+  void SetHierarchy(const MergeWeights& weights) { this->Weights = weights; }
+
   /** Opens a file that all processes of an exchange write. To be called before Survey. piece: the
    * first one of this process, which may be empty. steps: the number of time steps. Collective, as
    * are EndSurvey and Finish. */
@@ -82,8 +87,8 @@ public:
   void Write(vtkUnstructuredGrid* piece, bool isFirst, const Step& step,
     const std::function<bool(double)>& progress);
 
-  /** Completes the file. */
-  PartStatistics Finish();
+  /** Completes the file. progress: of the hierarchy. */
+  PartStatistics Finish(const std::function<bool(double)>& progress);
 
   /** Whether integer coordinates were converted to double. */
   bool ArePointsConverted() const { return this->PointsConverted; }
@@ -110,6 +115,7 @@ private:
 
   const std::string Path;
   PartWriterOptions Options;
+  std::optional<MergeWeights> Weights; // of a hierarchy
   const std::function<std::vector<BridgedArray>(vtkUnstructuredGrid*)> Select;
   vtkInformationIntegerKey* const JoinKey;
   std::unique_ptr<PartWriter> File;

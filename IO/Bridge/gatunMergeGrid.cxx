@@ -44,6 +44,11 @@ void AddArray(vtkDataArray* array, double weight, MeshMerges& merges)
   }
 }
 
+[[noreturn]] void ThrowNoArray(const std::string& name)
+{
+  ThrowInvalid("there is no point array '" + name + "', which has a weight");
+}
+
 void AddArrays(vtkPointData* data, const MergeWeights& weights, MeshMerges& merges)
 {
   for (const auto& [name, weight] : weights.GetAll())
@@ -51,7 +56,7 @@ void AddArrays(vtkPointData* data, const MergeWeights& weights, MeshMerges& merg
     vtkDataArray* const array = data->GetArray(name.c_str());
     if (!array)
     {
-      ThrowInvalid("there is no point array '" + name + "', which has a weight");
+      ThrowNoArray(name);
     }
     AddArray(array, weight, merges);
   }
@@ -99,6 +104,28 @@ double MergeWeights::Get(const char* name) const
 {
   const auto found = name ? this->Weights.find(name) : this->Weights.end();
   return found == this->Weights.end() ? 0 : found->second;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> MergeWeights::Find(const std::vector<ArrayDescription>& arrays) const
+{
+  if (this->Weights.empty())
+  {
+    return FindDefaultWeights(arrays);
+  }
+  std::vector<double> found(arrays.size(), 0);
+  for (const auto& [name, weight] : this->Weights)
+  {
+    const auto array = std::find_if(arrays.begin(), arrays.end(),
+      [&, &wanted = name](const ArrayDescription& one)
+      { return one.Where == Association::Point && one.Name == wanted; });
+    if (array == arrays.end())
+    {
+      ThrowNoArray(name);
+    }
+    found[static_cast<std::size_t>(array - arrays.begin())] = weight;
+  }
+  return found;
 }
 
 //------------------------------------------------------------------------------

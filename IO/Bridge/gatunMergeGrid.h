@@ -40,6 +40,10 @@ public:
 
   double Get(const char* name) const; ///< 0 if unset
   const std::map<std::string, double>& GetAll() const { return this->Weights; }
+
+  /** The weight of each array: of point arrays that are named, or else the default ones. Throws
+   * InvalidInput if there is no point array of a name. */
+  std::vector<double> Find(const std::vector<ArrayDescription>& arrays) const;
   void Print(std::ostream& os, vtkIndent indent) const;
 
   bool operator==(const MergeWeights&) const = default;

@@ -31,6 +31,7 @@ gatun_core_folder(Format
     gatunMetaTable.h
     gatunOutputFile.h
     gatunSeriesTable.h
+    gatunSpillSorter.h
     gatunStepPages.h
     gatunSurfaceTable.h
     gatunTableParts.h

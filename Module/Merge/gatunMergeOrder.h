@@ -9,10 +9,23 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace gatun
 {
+/** The order of points along a curve through their box; those of one place by number. */
+std::vector<std::uint32_t> OrderByPlace(std::span<const std::array<double, 3>> points);
+
+/** The order of cells by their lowest point; those of one point by number. places: of each point in
+ * the order. */
+template <std::size_t Corners>
+std::vector<std::uint32_t> OrderByLowestPoint(
+  std::span<const std::array<std::uint32_t, Corners>> cells, std::span<const std::uint32_t> places);
+
+/** Where each element is in an order. */
+std::vector<std::uint32_t> InvertOrder(std::span<const std::uint32_t> order);
+
 /** A mesh whose points and cells are sorted spatially, so that neighbors are near each other in
  * memory. This makes algorithms that visit neighbors faster. Points of a surface at the same place
  * follow each other. */
@@ -31,7 +44,6 @@ public:
   MergeTree MakeTree(std::vector<Merge> merges, std::vector<bool> isBound = {}) const;
 
 private:
-  void OrderPoints(const Input& input);
   void OrderCells(const Input& input);
 
   std::vector<std::uint32_t> Ids;
@@ -42,6 +54,8 @@ private:
   Input Local;
 };
 
+extern template std::vector<std::uint32_t> OrderByLowestPoint<4>(
+  std::span<const std::array<std::uint32_t, 4>> cells, std::span<const std::uint32_t> places);
 extern template class LocalMergeInput<3>;
 extern template class LocalMergeInput<4>;
 }

@@ -34,6 +34,13 @@ std::vector<std::unique_ptr<CostsType>> MakeMergeWorkers(const Arguments&... arg
   return workers;
 }
 
+/** The best merge of a point when it was last looked for. Into is None if there was none. */
+struct MergeHint
+{
+  std::uint32_t Into = MergeChoice::None;
+  MergeQueue::Key Key = 0;
+};
+
 /**
  * Merges points in rounds. The points of a round have the lowest costs of all, which are found anew
  * where they are outdated. Of these points, all are merged around which nothing has changed in the
@@ -71,12 +78,38 @@ public:
     }
   }
 
+  /** Called before each merge, with the key of its round and its change. */
+  using Listener = std::function<void(const Merge&, MergeQueue::Key, double)>;
+  void SetListener(Listener listener) { this->OnMerge = std::move(listener); }
+
+  /** Queues a point with a merge that was found before. It is found anew when it is due. */
+  void SetHint(std::uint32_t point, const MergeHint& hint)
+  {
+    Candidate& candidate = this->Candidates[point];
+    if (candidate.Is == State::Idle)
+    {
+      candidate.Into = hint.Into;
+      candidate.Key = hint.Key;
+      candidate.Changes = 1;
+      candidate.Is = State::Queued;
+      this->Enqueue(point);
+    }
+  }
+
+  /** The merge that was last found for a point, if it can still be merged. */
+  MergeHint GetHint(std::uint32_t point) const
+  {
+    const Candidate& candidate = this->Candidates[point];
+    return candidate.Is == State::Queued ? MergeHint{ candidate.Into, candidate.Key } : MergeHint{};
+  }
+
+  /** Merges all that can be merged. */
   std::vector<Merge> Run()
   {
     for (bool any = true; any;)
     {
-      this->FindIdle();
       const auto before = this->Merges.size();
+      this->FindIdle();
       this->BeginBatch();
       MergeQueue::Key key = 0;
       while (this->TakeDue(key))
@@ -88,6 +121,18 @@ public:
     }
     this->Report(1);
     return std::move(this->Merges);
+  }
+
+  /** Merges what has a key below a limit. To be called once. */
+  void RunBelow(unsigned limit)
+  {
+    this->FindIdle();
+    this->BeginBatch();
+    MergeQueue::Key key = 0;
+    while (this->TakeDue(key) && key < limit)
+    {
+      this->RunRound(key);
+    }
   }
 
 private:
@@ -307,7 +352,7 @@ private:
         if (this->Candidates[candidate.Into].Seen <= before ||
           this->Workers[0]->MayMerge(point, candidate.Into))
         {
-          this->MergeNow(point);
+          this->MergeNow(point, key);
         }
         else
         {
@@ -322,12 +367,16 @@ private:
     this->FindAll(this->Outdated);
   }
 
-  void MergeNow(std::uint32_t point)
+  void MergeNow(std::uint32_t point, MergeQueue::Key key)
   {
     Candidate& merged = this->Candidates[point];
     this->Change += merged.Change;
     this->Merges.push_back({ point, merged.Into,
       static_cast<float>(std::sqrt(this->Change) / CostsType::ChangePerError) });
+    if (this->OnMerge)
+    {
+      this->OnMerge(this->Merges.back(), key, merged.Change);
+    }
     merged.Is = State::Gone;
     const auto number = static_cast<std::uint32_t>(this->Merges.size());
     for (const auto cell : this->Mesh.GetRing(point))
@@ -364,6 +413,7 @@ private:
   }
 
   const std::function<bool(double)>& Progress;
+  Listener OnMerge;
   MeshType& Mesh;
   std::span<const std::unique_ptr<CostsType>> Workers;
   LargeArray<Candidate> Candidates; // of each point

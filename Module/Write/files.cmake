@@ -8,6 +8,7 @@ gatun_core_folder(Write
     Values
     Format
     Merge
+    Parts
     Mesh
     Read
   HEADERS
@@ -32,11 +33,11 @@ gatun_core_folder(Write
     gatunPartAssembly.h
     gatunPartBoundary.h
     gatunPartSurvey.h
+    gatunPartTree.h
     gatunPointNumbers.h
     gatunPointRounding.h
     gatunRoundedArrays.h
     gatunBoundaryMerge.h
-    gatunSpillSorter.h
     gatunStepSection.h
     gatunStepTables.h
     gatunTreeLayout.h
@@ -61,6 +62,7 @@ gatun_core_folder(Write
     gatunPartExchange.cxx
     gatunPartBoundary.cxx
     gatunPartSurvey.cxx
+    gatunPartTree.cxx
     gatunPartWriter.cxx
     gatunPointNumbers.cxx
     gatunPointRounding.cxx

@@ -10,6 +10,7 @@
 #include "gatunFileWriterInternals.h"
 #include "gatunKeepMemory.h"
 #include "gatunLayerTable.h"
+#include "gatunMergeOrder.h"
 #include "gatunParallel.h"
 #include "gatunRoundedArrays.h"
 #include "gatunSeriesTable.h"
@@ -86,7 +87,7 @@ void FileWriter::Internals::Begin(const Progress& progress)
       dependencies.emplace(this->State, this->Part);
     }
     this->WriteMesh(progress);
-    this->Tree.emplace(this->State, this->Part);
+    this->BeginTree();
     this->BeginLevels(progress);
     if (dependencies)
     {
@@ -104,6 +105,33 @@ void FileWriter::Internals::WriteMesh(const Progress& progress)
 {
   this->Mesh.Write(this->Part, progress);
   this->IsMeshWritten = true;
+}
+
+//------------------------------------------------------------------------------
+/** Writes the merges in the numbers of the file, when the mesh has been written. */
+void FileWriter::Internals::BeginTree()
+{
+  auto places = FindFileNumbers(this->State, this->Part, this->State.Table.GetSharedPoints());
+  auto next = static_cast<std::uint32_t>(this->State.Meta.Points - this->State.Meta.UnusedPoints);
+  for (const auto point : this->Part.Layout.UnusedPoints)
+  {
+    places[point] = next++;
+  }
+  const MergeTree& tree = *this->State.Options.Tree;
+  auto merges = tree.GetMerges();
+  for (Merge& merge : merges)
+  {
+    merge.Point = places[merge.Point];
+    merge.Into = places[merge.Into];
+  }
+  this->PointOrder = InvertOrder(places);
+  this->Tree.emplace(this->State,
+    MergeTree(tree.GetNumberOfPoints(), std::move(merges), tree.GetBonds()),
+    [this](unsigned axis)
+    {
+      return [this, axis](std::uint32_t point)
+      { return ArrayInput::Finite(this->Part.Mesh.GetCoordinate(this->PointOrder[point], axis)); };
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -252,7 +280,18 @@ void FileWriter::Internals::WriteStep(std::span<const void* const> values, const
   this->Steps.Finish(this->Part, all);
   if (this->Tree)
   {
-    this->Tree->AddStep(arrays);
+    this->Tree->AddStep(
+      [&](std::size_t array, std::size_t range) -> TreeSection::GetValue
+      {
+        const ArrayInput& input = arrays[array];
+        const int component = range < input.Description->Components ? static_cast<int>(range) : -1;
+        return [this, component, isPoints = input.IsPoints, reader = input.GetReader()](
+                 std::uint32_t point)
+        {
+          const double value = reader.Get(this->PointOrder[point], component);
+          return isPoints ? ArrayInput::Finite(value) : value;
+        };
+      });
     for (const auto& level : this->Levels)
     {
       this->WriteEmbeddedStep(*level, decoded, hasTime, time, domains);

@@ -87,6 +87,7 @@ private:
 
   void WriteMesh(const Progress& progress);
   void FindDomains();
+  void BeginTree();
   void BeginLevels(const Progress& progress);
   std::unique_ptr<Level> MakeLevel(std::uint32_t merges, const Progress& progress) const;
   void WriteBoundary(const Progress& progress);
@@ -110,7 +111,8 @@ private:
   std::uint32_t Masks = 0; // that have been written
   CellMask LastMask;
   std::optional<TreeSection> Tree;
-  std::vector<std::uint32_t> Merges; // of the levels
+  std::vector<std::uint32_t> PointOrder; // for the tree: the point of each point of the file
+  std::vector<std::uint32_t> Merges;     // of the levels
   std::vector<std::unique_ptr<Level>> Levels;
   std::unique_ptr<Embedded<BoundaryMesh>> Boundary;
   std::unique_ptr<Internals> Other; // the mesh that was added last

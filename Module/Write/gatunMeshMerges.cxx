@@ -13,6 +13,7 @@
 #include "gatunSurfaceMergeBuilder.h"
 #include "gatunWithType.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -42,6 +43,22 @@ std::vector<std::array<double, 3>> ListPoints(const MeshInput& mesh)
                                  : "polygon with " + std::to_string(points) + " points") +
     "; divide the surface into triangles first, with 'gtn pack --triangles' or vtkTriangleFilter");
 }
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> FindDefaultWeights(const std::vector<ArrayDescription>& arrays)
+{
+  const auto isOfPoints = [](const ArrayDescription& array)
+  { return array.Where == Association::Point; };
+  const auto isActive = [&](const ArrayDescription& array)
+  { return isOfPoints(array) && (array.AttributeRoles & 1u) != 0; };
+  const bool anyActive = std::any_of(arrays.begin(), arrays.end(), isActive);
+  std::vector<double> weights;
+  for (const ArrayDescription& array : arrays)
+  {
+    weights.push_back((anyActive ? isActive(array) : isOfPoints(array)) ? 1 : 0);
+  }
+  return weights;
 }
 
 //------------------------------------------------------------------------------

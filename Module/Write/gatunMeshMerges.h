@@ -8,6 +8,7 @@
 #include "gatunMergeInput.h"
 #include "gatunMergeTree.h"
 #include "gatunMeshInput.h"
+#include "gatunTypes.h"
 
 #include <array>
 #include <cstddef>
@@ -18,6 +19,10 @@
 
 namespace gatun
 {
+/** The weight of each array in the cost of merges if none is given: 1 for the active scalars, or
+ * else for all point arrays. */
+GATUN_EXPORT std::vector<double> FindDefaultWeights(const std::vector<ArrayDescription>& arrays);
+
 /** The points and weighted fields of a mesh, from which its merge tree is built. */
 class GATUN_EXPORT MeshMerges
 {

@@ -10,6 +10,7 @@
 #include "gatunPartAgreement.h"
 #include "gatunPartAssembly.h"
 #include "gatunPartSurvey.h"
+#include "gatunPartTree.h"
 #include "gatunPaths.h"
 #include "gatunPointNumbers.h"
 #include "gatunStepSection.h"
@@ -34,15 +35,28 @@ std::string GetSpillFolder(const std::string& path)
   return parent.empty() ? "." : parent;
 }
 
-void CheckOptions(const WriterOptions& options)
+void CheckOptions(const PartWriterOptions& all, std::size_t arrays, bool isAlone)
 {
+  const WriterOptions& options = all.File;
   if (options.Tree || options.Levels > 0)
   {
-    ThrowInvalid("a hierarchy needs the whole mesh, which cannot come in parts");
+    ThrowInvalid("base meshes need the whole mesh, which cannot come in parts");
   }
   if (options.Layers)
   {
     ThrowInvalid("layers need the whole mesh, which cannot come in parts");
+  }
+  if (all.Weights && !isAlone)
+  {
+    ThrowInvalid("a hierarchy cannot be written by several processes");
+  }
+  if (all.Weights && options.IsSurface)
+  {
+    ThrowInvalid("the hierarchy of a surface needs the whole surface, which cannot come in parts");
+  }
+  if (all.Weights && all.Weights->size() != arrays)
+  {
+    ThrowInvalid("there must be a weight for each array");
   }
 }
 }
@@ -54,23 +68,25 @@ public:
   Internals(const std::string& path, const std::vector<ArrayDescription>& arrays,
     const PartWriterOptions& options)
     : Options(options)
+    , Folder(GetSpillFolder(path))
     , State(path, arrays, options.File)
-    , Boundaries(GetSpillFolder(path), options.SpillMemory)
+    , Boundaries(this->Folder, options.SpillMemory)
   {
   }
 
   Internals(const std::string& path, const std::vector<ArrayDescription>& arrays,
     const PartWriterOptions& options, PartExchange& exchange)
     : Options(options)
-    , State(arrays, options.File, GetSpillFolder(path))
-    , Boundaries(GetSpillFolder(path), options.SpillMemory)
+    , Folder(GetSpillFolder(path))
+    , State(arrays, options.File, this->Folder)
+    , Boundaries(this->Folder, options.SpillMemory)
     , Exchange(&exchange)
   {
     if (exchange.GetProcess() == 0)
     {
       this->Common.emplace(OutputFile::Common(), path);
     }
-    this->Agreement.emplace(exchange, this->State, GetSpillFolder(path), options.SpillMemory);
+    this->Agreement.emplace(exchange, this->State, this->Folder, options.SpillMemory);
     this->Steps.KeepTables();
   }
 
@@ -80,7 +96,7 @@ public:
   void Write(const MeshInput& mesh, const std::int64_t* globalIds, const Progress& progress);
   void WriteStep(std::span<const void* const> values, const FieldData& field, bool hasTime,
     double time, const Progress& progress);
-  PartStatistics Finish();
+  PartStatistics Finish(const Progress& progress);
 
 private:
   void EndPartSurvey();
@@ -89,7 +105,7 @@ private:
   void SendPoints();
   void PlaceParts();
   void EndPart();
-  void ApplyJoins(const PartJoins& joins);
+  std::vector<std::uint8_t> ApplyJoins(const PartJoins& joins);
   bool HasNumbers() const
   {
     return this->Parts.size() > 1 && (this->Options.File.Keep & KeepPoints);
@@ -106,6 +122,7 @@ private:
   }
 
   const PartWriterOptions Options;
+  const std::string Folder; // of temporary files
   WriterState State;
   MeshSection Mesh{ State };
   StepSection Steps{ State };
@@ -120,8 +137,10 @@ private:
   std::vector<PartPlace> Places;
   std::size_t Written = 0; // parts of this process that were begun
   std::optional<WriterPart> Part;
-  bool IsDeferred = false; // whether the mesh of the part is not written yet
+  std::vector<std::uint8_t> IsJoinedPoint; // whether other parts have a point of the part, too
+  bool IsDeferred = false;                 // whether the mesh of the part is not written yet
   PointNumbers Numbers{ Boundaries };
+  std::optional<PartTree> Tree;
 
   // If several processes write the file.
   PartExchange* const Exchange = nullptr;
@@ -244,6 +263,14 @@ void PartWriter::Internals::JoinAlone()
   this->IsJoined = true;
   this->Boundaries.Join(this->Parts.size(), this->State.Groups);
   this->PlaceParts();
+  if (this->Options.Weights)
+  {
+    PartMergeSettings settings;
+    settings.Folder = this->Folder;
+    settings.GroupsAtOnce = GetGroupsFor(this->Options.HierarchyMemory);
+    this->Tree.emplace(this->State, *this->Options.Weights,
+      this->Parts.empty() ? 0 : this->Parts.front().StepHashes.size(), settings);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -369,20 +396,26 @@ void PartWriter::Internals::Write(
   this->Part.emplace(mesh);
   this->Part->Place = this->Places[number];
   this->Mesh.MakeLayout(*this->Part, {});
-  this->ApplyJoins(this->Agreement ? std::move(this->Joins[this->Written - 1])
-                                   : this->Boundaries.Take(static_cast<std::uint32_t>(number)));
+  this->IsJoinedPoint =
+    this->ApplyJoins(this->Agreement ? std::move(this->Joins[this->Written - 1])
+                                     : this->Boundaries.Take(static_cast<std::uint32_t>(number)));
   // With a single step, its values are encoded together with the mesh, chunk by chunk.
-  this->IsDeferred = surveyed.StepHashes.size() == 1;
+  // A hierarchy needs the numbers of the points before that.
+  this->IsDeferred = surveyed.StepHashes.size() == 1 && !this->Tree;
   if (!this->IsDeferred)
   {
     this->Mesh.Write(*this->Part, progress);
+  }
+  if (this->Tree && surveyed.StepHashes.empty())
+  {
+    this->Tree->AddPart(*this->Part, this->IsJoinedPoint, {});
   }
 }
 
 //------------------------------------------------------------------------------
 /** Takes the points that other parts have, too, from the layout of the part, and places all shared
- * points. */
-void PartWriter::Internals::ApplyJoins(const PartJoins& joins)
+ * points. Returns the marks of these points. */
+std::vector<std::uint8_t> PartWriter::Internals::ApplyJoins(const PartJoins& joins)
 {
   auto& layout = this->Part->Layout;
   if (this->HasNumbers())
@@ -430,6 +463,7 @@ void PartWriter::Internals::ApplyJoins(const PartJoins& joins)
     groups[this->Boundaries.GetGroup(group)] = points;
   }
   this->Part->PlaceShared(this->State.Table, groups);
+  return isJoined;
 }
 
 //------------------------------------------------------------------------------
@@ -462,7 +496,15 @@ void PartWriter::Internals::WriteStep(std::span<const void* const> values, const
   }
   else
   {
-    this->Steps.WriteValues(*this->Part, all, progress);
+    const StepInput& input = this->Steps.WriteValues(*this->Part, all, progress);
+    if (this->Tree && step == 0)
+    {
+      this->Tree->AddPart(*this->Part, this->IsJoinedPoint, input.Arrays);
+    }
+    if (this->Tree)
+    {
+      this->Tree->AddStep(step, input.Arrays);
+    }
   }
   this->Steps.Finish(*this->Part, all);
   if (step + 1 == surveyed.StepHashes.size())
@@ -472,7 +514,7 @@ void PartWriter::Internals::WriteStep(std::span<const void* const> values, const
 }
 
 //------------------------------------------------------------------------------
-PartStatistics PartWriter::Internals::Finish()
+PartStatistics PartWriter::Internals::Finish(const Progress& progress)
 {
   const auto end = [this]
   {
@@ -494,6 +536,10 @@ PartStatistics PartWriter::Internals::Finish()
   else
   {
     end();
+    if (this->Tree)
+    {
+      this->Tree->Write(progress);
+    }
     this->State.WriteTables(this->State.File);
     this->State.File.AddSection(SectionMeta, this->State.Meta.Write());
     statistics.File = this->State.Commit(this->State.File);
@@ -515,11 +561,11 @@ PartStatistics PartWriter::Internals::Finish()
 PartWriter::PartWriter(const std::string& path, const std::vector<ArrayDescription>& arrays,
   const PartWriterOptions& options, PartExchange* exchange)
 {
-  CheckOptions(options.File);
+  const bool isAlone = !exchange || exchange->GetProcesses() == 1;
+  CheckOptions(options, arrays.size(), isAlone);
   KeepFreedMemory();
-  this->Self = exchange && exchange->GetProcesses() > 1
-    ? std::make_unique<Internals>(path, arrays, options, *exchange)
-    : std::make_unique<Internals>(path, arrays, options);
+  this->Self = !isAlone ? std::make_unique<Internals>(path, arrays, options, *exchange)
+                        : std::make_unique<Internals>(path, arrays, options);
 }
 
 //------------------------------------------------------------------------------
@@ -559,8 +605,8 @@ void PartWriter::WriteStep(std::span<const void* const> values, const FieldData&
 }
 
 //------------------------------------------------------------------------------
-PartStatistics PartWriter::Finish()
+PartStatistics PartWriter::Finish(const Progress& progress)
 {
-  return this->Self->Finish();
+  return this->Self->Finish(progress);
 }
 }

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,8 +26,17 @@ class PartExchange;
 /** Options of PartWriter. */
 struct PartWriterOptions
 {
-  /** Options of the file. Hierarchies and layers need the whole mesh and are refused. */
+  /** Options of the file. Layers and base meshes need the whole mesh and are refused. */
   WriterOptions File;
+
+  /** For a hierarchy of the tetrahedra, which is found in parts: the weight of each array for
+   * merges, 0 for those that do not count. Not with several processes. */
+  std::optional<std::vector<double>> Weights;
+
+  /** About the number of bytes for finding the hierarchy, which are divided by 320 MB to get the
+   * number of threads, at least one; 0 for all threads. Beside it, there are some 50 bytes a point.
+   */
+  std::uint64_t HierarchyMemory = 0;
 
   /** The number of bytes of points on the boundaries of parts that are kept in memory, and again of
    * those that are joined; further ones are in temporary files in the folder of the file. */
@@ -138,8 +148,9 @@ public:
   void WriteStep(std::span<const void* const> values, const FieldData& field = {},
     bool hasTime = false, double time = 0, const Progress& progress = {});
 
-  /** Completes the file when all parts have been written, and moves it to its path. */
-  PartStatistics Finish();
+  /** Completes the file when all parts have been written, and moves it to its path. progress: of
+   * the hierarchy. */
+  PartStatistics Finish(const Progress& progress = {});
 
 private:
   class Internals;

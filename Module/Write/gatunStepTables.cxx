@@ -30,10 +30,10 @@ void StepTables::Add(const StepTable& step, const MetaTable& meta, const MeshInd
 }
 
 //------------------------------------------------------------------------------
-void StepTables::AddMerged(Bytes ranges)
+void StepTables::AddMerged(Bytes ranges, std::size_t stepsAfter)
 {
   this->Size += ranges.size();
-  this->Entries.back().Merged = std::move(ranges);
+  this->Entries[this->Entries.size() - 1 - stepsAfter].Merged = std::move(ranges);
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #include "gatunOutputFile.h"
 #include "gatunStepPages.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -21,8 +22,8 @@ public:
   /** Adds the table of a step whose values are all in the file. */
   void Add(const StepTable& step, const MetaTable& meta, const MeshIndex& mesh);
 
-  /** Adds the ranges after merges of the step that was added last. */
-  void AddMerged(Bytes ranges);
+  /** Adds the ranges after merges of a step. stepsAfter: how many steps have been added since. */
+  void AddMerged(Bytes ranges, std::size_t stepsAfter = 0);
 
   /** Whether they take so much memory that they have to be written before the last step. */
   bool AreLarge() const { return this->Size >= LargeBytes; }

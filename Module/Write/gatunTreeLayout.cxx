@@ -13,31 +13,14 @@ namespace
 {
 // Coarser meshes need no merge counts: their chunks extend over the whole mesh.
 constexpr std::uint32_t FewPoints = 256;
-
-MergeTree Renumber(const MergeTree& tree, const std::vector<std::uint32_t>& ids)
-{
-  std::vector<std::uint32_t> places(ids.size());
-  for (std::size_t i = 0; i < ids.size(); ++i)
-  {
-    places[ids[i]] = static_cast<std::uint32_t>(i);
-  }
-  auto merges = tree.GetMerges();
-  for (Merge& merge : merges)
-  {
-    merge.Point = places[merge.Point];
-    merge.Into = places[merge.Into];
-  }
-  return { tree.GetNumberOfPoints(), std::move(merges), tree.GetBonds() };
-}
 }
 
 //------------------------------------------------------------------------------
-TreeLayout::TreeLayout(const MergeTree& tree, std::vector<std::uint32_t> ids, const MeshTable& mesh)
-  : Ids(std::move(ids))
-  , Tree(Renumber(tree, this->Ids))
+TreeLayout::TreeLayout(MergeTree tree, const MeshTable& mesh)
+  : Tree(std::move(tree))
 {
-  const auto merges = static_cast<std::uint32_t>(tree.GetMerges().size());
-  const auto used = tree.GetNumberOfPoints() - static_cast<std::uint32_t>(mesh.Unused.Points);
+  const auto merges = static_cast<std::uint32_t>(this->Tree.GetMerges().size());
+  const auto used = this->Tree.GetNumberOfPoints() - static_cast<std::uint32_t>(mesh.Unused.Points);
   for (auto left = used / 2; left >= FewPoints && used - left < merges; left /= 2)
   {
     this->MergeCounts.push_back(used - left);
@@ -60,14 +43,13 @@ TreeLayout::TreeLayout(const MergeTree& tree, std::vector<std::uint32_t> ids, co
 }
 
 //------------------------------------------------------------------------------
-std::vector<Range> TreeLayout::FindRanges(
-  std::uint32_t merges, const std::function<double(std::uint32_t)>& getValue) const
+std::vector<Range> TreeLayout::FindRanges(std::uint32_t merges, const GetValue& getValue) const
 {
   // For each point, the range over all points that it is merged into.
-  std::vector<Range> ways(this->Ids.size());
-  for (std::size_t i = 0; i < ways.size(); ++i)
+  std::vector<Range> ways(this->Tree.GetNumberOfPoints());
+  for (std::uint32_t i = 0; i < ways.size(); ++i)
   {
-    const double value = getValue(this->Ids[i]);
+    const double value = getValue(i);
     if (value == value)
     {
       ways[i] = { value, value };
@@ -94,8 +76,7 @@ std::vector<Range> TreeLayout::FindRanges(
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::vector<Range>> TreeLayout::FindRanges(
-  const std::function<double(std::uint32_t)>& getValue) const
+std::vector<std::vector<Range>> TreeLayout::FindRanges(const GetValue& getValue) const
 {
   std::vector<std::vector<Range>> ranges(
     this->Runs.size(), std::vector<Range>(this->MergeCounts.size()));

@@ -19,8 +19,10 @@ namespace gatun
 class TreeLayout
 {
 public:
-  /** ids: the point of the given tree for each point of the file. */
-  TreeLayout(const MergeTree& tree, std::vector<std::uint32_t> ids, const MeshTable& mesh);
+  /** The value of a point of the file. */
+  using GetValue = std::function<double(std::uint32_t)>;
+
+  TreeLayout(MergeTree tree, const MeshTable& mesh);
 
   const MergeTree& GetTree() const { return this->Tree; }
 
@@ -29,17 +31,14 @@ public:
 
   /**
    * For each chunk and merge count, the range of a value over the chunk's points and all points
-   * that they are merged into by any number of merges up to the merge count. NaN is ignored.
-   * getValue takes a point of the given tree.
+   * that they are merged into by any number of merges up to the merge count. NaN is ignored. Takes
+   * 16 bytes a point in each thread.
    */
-  std::vector<std::vector<Range>> FindRanges(
-    const std::function<double(std::uint32_t)>& getValue) const;
+  std::vector<std::vector<Range>> FindRanges(const GetValue& getValue) const;
 
 private:
-  std::vector<Range> FindRanges(
-    std::uint32_t merges, const std::function<double(std::uint32_t)>& getValue) const;
+  std::vector<Range> FindRanges(std::uint32_t merges, const GetValue& getValue) const;
 
-  std::vector<std::uint32_t> Ids;
   MergeTree Tree;
   std::vector<std::uint32_t> MergeCounts;
 

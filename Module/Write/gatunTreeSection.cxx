@@ -13,14 +13,14 @@
 namespace gatun
 {
 //------------------------------------------------------------------------------
-TreeSection::TreeSection(WriterState& state, const WriterPart& part)
+TreeSection::TreeSection(
+  WriterState& state, MergeTree tree, const std::function<GetValue(unsigned axis)>& getCoordinates)
   : State(state)
-  , Part(part)
-  , Layout(*state.Options.Tree, this->GetPointOrder(), state.Table)
+  , Layout(std::move(tree), state.Table)
 {
   this->Tree.Merges = static_cast<std::uint32_t>(this->Layout.GetTree().GetMerges().size());
   this->Tree.MergeCounts = this->Layout.GetMergeCounts();
-  this->FindBoxes();
+  this->FindBoxes(getCoordinates);
   if (this->Tree.Merges > 0)
   {
     this->WriteMerges();
@@ -28,37 +28,13 @@ TreeSection::TreeSection(WriterState& state, const WriterPart& part)
 }
 
 //------------------------------------------------------------------------------
-/** The point of the input for each point of the file. */
-std::vector<std::uint32_t> TreeSection::GetPointOrder() const
+void TreeSection::FindBoxes(const std::function<GetValue(unsigned axis)>& getCoordinates)
 {
-  auto points = this->Part.SharedPoints;
-  for (std::size_t c = 0; c < this->Part.Chunks.size(); ++c)
-  {
-    const auto first = points.size();
-    points.resize(first + static_cast<std::size_t>(this->State.Table.Chunks[c].Info.OwnPoints));
-    const auto& sources = this->Part.Chunks[c].Mesh.Walk.Sources;
-    for (std::size_t v = 0; v < sources.size(); ++v)
-    {
-      if ((sources[v] & Topology::SharedFlag) == 0)
-      {
-        points[first + sources[v]] = this->Part.Chunks[c].PointOf[v];
-      }
-    }
-  }
-  const auto& unused = this->Part.Layout.UnusedPoints;
-  points.insert(points.end(), unused.begin(), unused.end());
-  return points;
-}
-
-//------------------------------------------------------------------------------
-void TreeSection::FindBoxes()
-{
-  this->Tree.Boxes =
-    std::vector(this->Part.Chunks.size(), std::vector<Bounds>(this->Tree.MergeCounts.size()));
+  this->Tree.Boxes = std::vector(
+    this->State.Table.Chunks.size(), std::vector<Bounds>(this->Tree.MergeCounts.size()));
   for (unsigned axis = 0; axis < 3; ++axis)
   {
-    const auto ranges = this->Layout.FindRanges([&](std::uint32_t point)
-      { return ArrayInput::Finite(this->Part.Mesh.GetCoordinate(point, axis)); });
+    const auto ranges = this->Layout.FindRanges(getCoordinates(axis));
     for (std::size_t c = 0; c < ranges.size(); ++c)
     {
       for (std::size_t mergeCount = 0; mergeCount < ranges[c].size(); ++mergeCount)
@@ -90,30 +66,25 @@ void TreeSection::WriteMerges()
 }
 
 //------------------------------------------------------------------------------
-void TreeSection::AddStep(const std::vector<ArrayInput>& inputs)
+void TreeSection::AddStep(
+  const std::function<GetValue(std::size_t array, std::size_t range)>& getValues,
+  std::size_t stepsAfter)
 {
   TreeStepTable step;
-  for (const ArrayInput& input : inputs)
+  const auto& arrays = this->State.Meta.Arrays;
+  for (std::size_t a = 0; a < arrays.size(); ++a)
   {
     auto& chunks = step.Ranges.emplace_back();
-    if (input.Description->Where != Association::Point)
+    if (arrays[a].Where != Association::Point)
     {
       continue;
     }
-    const auto components = input.Description->Components;
-    const auto count = GetRangeCount(components);
-    const auto reader = input.GetReader();
-    chunks.assign(this->Part.Chunks.size(),
+    const auto count = GetRangeCount(arrays[a].Components);
+    chunks.assign(this->State.Table.Chunks.size(),
       std::vector<ArrayRanges>(this->Tree.MergeCounts.size(), ArrayRanges(count)));
     for (std::size_t r = 0; r < count; ++r)
     {
-      const int component = r < components ? static_cast<int>(r) : -1;
-      const auto ranges = this->Layout.FindRanges(
-        [&](std::uint32_t point)
-        {
-          const double value = reader.Get(point, component);
-          return input.IsPoints ? ArrayInput::Finite(value) : value;
-        });
+      const auto ranges = this->Layout.FindRanges(getValues(a, r));
       for (std::size_t c = 0; c < ranges.size(); ++c)
       {
         for (std::size_t mergeCount = 0; mergeCount < ranges[c].size(); ++mergeCount)
@@ -125,7 +96,7 @@ void TreeSection::AddStep(const std::vector<ArrayInput>& inputs)
   }
   auto bytes = step.Write();
   this->State.Statistics.TreeBytes += bytes.size();
-  this->State.Steps.AddMerged(std::move(bytes));
+  this->State.Steps.AddMerged(std::move(bytes), stepsAfter);
 }
 
 //------------------------------------------------------------------------------
@@ -135,5 +106,36 @@ void TreeSection::WriteTable(std::vector<std::uint32_t> levels)
   const auto bytes = this->Tree.Write();
   this->State.Statistics.TreeBytes += bytes.size();
   this->State.File.AddSection(SectionTree, bytes, 0);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> FindFileNumbers(
+  const WriterState& state, const WriterPart& part, std::uint64_t firstOwn)
+{
+  constexpr std::uint32_t none = 0xffffffffu;
+  std::vector<std::uint32_t> numbers(static_cast<std::size_t>(part.Mesh.GetMesh().Points), none);
+  for (std::size_t c = 0; c < part.Chunks.size(); ++c)
+  {
+    const auto& entry = state.Table.Chunks[part.Place.FirstChunk + c];
+    const auto shared = part.GetSharedPoints(state.Table, c);
+    std::size_t at = 0;
+    for (const auto& run : entry.Shared)
+    {
+      for (std::uint64_t i = 0; i < run.Points; ++i)
+      {
+        numbers[shared[at++]] = static_cast<std::uint32_t>(run.FirstPoint + i);
+      }
+    }
+    const auto& sources = part.Chunks[c].Mesh.Walk.Sources;
+    for (std::size_t v = 0; v < sources.size(); ++v)
+    {
+      if ((sources[v] & Topology::SharedFlag) == 0)
+      {
+        numbers[part.Chunks[c].PointOf[v]] = static_cast<std::uint32_t>(firstOwn + sources[v]);
+      }
+    }
+    firstOwn += entry.Info.OwnPoints;
+  }
+  return numbers;
 }
 }

@@ -10,7 +10,9 @@
 #include "gatunWriterPart.h"
 #include "gatunWriterState.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace gatun
@@ -19,28 +21,38 @@ namespace gatun
 class TreeSection
 {
 public:
-  /** Writes the merges. The mesh, which is one part, must have been written. */
-  TreeSection(WriterState& state, const WriterPart& part);
+  using GetValue = TreeLayout::GetValue;
+
+  /** Writes the merges, when all of the mesh has been written. tree: in the numbers of the file.
+   * getCoordinates: those along an axis; NaN does not count. */
+  TreeSection(WriterState& state, MergeTree tree,
+    const std::function<GetValue(unsigned axis)>& getCoordinates);
 
   /** The merges in the numbers of the file. */
   const MergeTree& GetTree() const { return this->Layout.GetTree(); }
 
-  /** Adds the ranges of the point arrays after merges to the tables of the last step. */
-  void AddStep(const std::vector<ArrayInput>& inputs);
+  /** Adds the ranges of the point arrays after merges to the tables of a step. getValues: those of
+   * an array that a range of ArrayRanges is for. stepsAfter: how many steps have been added since.
+   */
+  void AddStep(const std::function<GetValue(std::size_t array, std::size_t range)>& getValues,
+    std::size_t stepsAfter = 0);
 
   /** Writes the TREE section. levels: the numbers of merges of the base meshes. */
   void WriteTable(std::vector<std::uint32_t> levels);
 
 private:
-  std::vector<std::uint32_t> GetPointOrder() const;
-  void FindBoxes();
+  void FindBoxes(const std::function<GetValue(unsigned axis)>& getCoordinates);
   void WriteMerges();
 
   WriterState& State;
-  const WriterPart& Part;
   TreeLayout Layout;
   TreeTable Tree;
 };
+
+/** The number in the file of each point of a part whose mesh has been written; None if it has none
+ * yet, as points that no cell uses. firstOwn: that of the first own point of the part. */
+std::vector<std::uint32_t> FindFileNumbers(
+  const WriterState& state, const WriterPart& part, std::uint64_t firstOwn);
 }
 
 #endif

@@ -37,14 +37,28 @@ std::uint64_t NeededMiB(std::uint64_t pieceBytes, std::uint64_t moreBytes)
   return ProgramMiB + ((spillBytes + Copies * pieceBytes + moreBytes) >> 20);
 }
 
+// What the tables of a hierarchy take of the bytes of a mesh in memory: some 50 bytes a point.
+constexpr std::uint64_t BytesPerTableByte = 5;
+
+// The same with the hierarchy of a mesh that is written in pieces. allBytes: of all pieces.
+std::uint64_t NeededMiB(
+  vtkGatunWriter* writer, std::uint64_t pieceBytes, std::uint64_t moreBytes, std::uint64_t allBytes)
+{
+  constexpr std::uint64_t leastMiB = 320;
+  const auto needed = NeededMiB(pieceBytes, moreBytes);
+  return writer->GetHierarchy()
+    ? std::max(needed, ProgramMiB + leastMiB + (allBytes / BytesPerTableByte >> 20))
+    : needed;
+}
+
 // Divides a mesh in one file.
 void Divide(
   vtkGatunWriter* writer, Input& input, const PieceOptions& options, const Settings& settings)
 {
-  if (writer->GetHierarchy() || writer->GetLayerArray())
+  if (writer->GetLevels() > 0 || writer->GetLayerArray())
   {
-    throw Failure(
-      input.GetName(), "a hierarchy or layers need the whole mesh, which is divided into pieces");
+    throw Failure(input.GetName(),
+      "coarser meshes or layers need the whole mesh, which is divided into pieces");
   }
   if (writer->GetKeepOrder() != vtkGatunWriter::KEEP_NONE)
   {
@@ -149,7 +163,9 @@ bool SetPieces(
     const auto pieceBytes = parts > 1 || pieces == 1
       ? input.EstimateLargestPart() * files
       : input.EstimateLargestPart() / static_cast<std::uint64_t>(pieces);
-    const auto needed = NeededMiB(pieceBytes, input.GetBytesForAll());
+    const auto allBytes = pieceBytes * static_cast<std::uint64_t>(pieces);
+    const auto needed = pieces > 1 ? NeededMiB(writer, pieceBytes, input.GetBytesForAll(), allBytes)
+                                   : NeededMiB(pieceBytes, input.GetBytesForAll());
     if (needed > limit)
     {
       throw Failure(input.GetName(),
@@ -157,6 +173,8 @@ bool SetPieces(
                     "{}; smaller pieces would take less",
           pieces > 1 ? fmt::format("{} pieces", pieces) : "one piece", needed, limit));
     }
+    const auto tables = ProgramMiB + (allBytes / BytesPerTableByte >> 20);
+    writer->SetHierarchyMemory(static_cast<int>(limit - std::min(limit - 1, tables)));
   }
   return pieces > 1 || input.IsSpooled();
 }

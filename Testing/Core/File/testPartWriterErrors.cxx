@@ -192,7 +192,7 @@ TEST_F(PartWriterErrors, WhatNeedsTheWholeMesh)
   const MergeTree tree;
   options.File.Tree = &tree;
   this->Refuse(
-    "a hierarchy needs the whole mesh", [](PartWriter&) {}, options);
+    "base meshes need the whole mesh", [](PartWriter&) {}, options);
 }
 
 TEST_F(PartWriterErrors, AnAbortLeavesNothing)

@@ -482,21 +482,9 @@ TEST_P(TreeFileRead, RangesAreThoseOfAllThatPointsAreMergedInto)
 {
   const auto mesh = test::FileImage(this->File->GetPath()).Mesh;
   const auto points = static_cast<std::uint32_t>(this->File->GetNumberOfPoints());
-  // The tree in other numbers, which the layout has to undo.
-  std::vector<std::uint32_t> ids(points);
-  std::iota(ids.begin(), ids.end(), 0u);
-  std::shuffle(ids.begin(), ids.end(), std::mt19937(7));
-  auto merges = this->FileTree->GetMerges();
-  for (Merge& merge : merges)
-  {
-    merge.Point = ids[merge.Point];
-    merge.Into = ids[merge.Into];
-  }
-  const TreeLayout layout(MergeTree(points, merges), ids, mesh);
-  ExpectSame(layout.GetTree(), *this->FileTree);
-
+  const TreeLayout layout(*this->FileTree, mesh);
   const auto used = points - static_cast<std::uint32_t>(this->File->GetNumberOfUnusedPoints());
-  const auto all = static_cast<std::uint32_t>(merges.size());
+  const auto all = static_cast<std::uint32_t>(this->FileTree->GetMerges().size());
   EXPECT_EQ(layout.GetMergeCounts(), (std::vector<std::uint32_t>{ used - used / 2, all }));
 
   // So that each merge counts, the last one too: values are larger the later a point is gone.
@@ -506,12 +494,7 @@ TEST_P(TreeFileRead, RangesAreThoseOfAllThatPointsAreMergedInto)
     values[this->FileTree->GetMerges()[i].Point] = i % 5 == 1 ? std::nan("") : i + 1.0;
     values[this->FileTree->GetMerges()[i].Into] = all + i + 1.0;
   }
-  std::vector<double> valueOf(points);
-  for (std::uint32_t i = 0; i < points; ++i)
-  {
-    valueOf[ids[i]] = values[i];
-  }
-  const auto ranges = layout.FindRanges([&](std::uint32_t point) { return valueOf[point]; });
+  const auto ranges = layout.FindRanges([&](std::uint32_t point) { return values[point]; });
   ASSERT_EQ(ranges.size(), mesh.Chunks.size());
   const CoarseLayout chunks(this->File, *this->FileTree, MergeCut(*this->FileTree, 0));
   std::vector<std::uint32_t> into(points), when(points, all);

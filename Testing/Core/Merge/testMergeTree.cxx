@@ -9,7 +9,8 @@
 #include "gatunMergeLinks.h"
 #include "gatunMergeMesh.h"
 #include "gatunParallel.h"
-#include "gatunTestMeshes.h"
+#include "gatunPartMerges.h"
+#include "gatunTestSolids.h"
 
 #include <gtest/gtest.h>
 
@@ -19,173 +20,43 @@
 #include <map>
 #include <random>
 #include <set>
+#include <tuple>
 
 namespace gatun::test
 {
 namespace
 {
 using Tet = MergeTree::Tet;
-using Position = std::array<double, 3>;
 
-struct Solid
+MergeTree BuildWhole(const Solid& solid)
 {
-  std::vector<Position> Points;
-  std::vector<Tet> Tets;
-  std::vector<double> Values;
-
-  MergeInput GetInput() const { return { this->Points, this->Tets, { { this->Values, 1 } } }; }
-};
-
-Solid MakeSolid(std::int64_t n, double jitter, const std::function<bool(const Position&)>& isIn)
-{
-  const auto mesh = MakeCubes(n, jitter);
-  Solid solid;
-  for (std::size_t i = 0; i < mesh.GetPoints(); ++i)
-  {
-    const Position p{ mesh.Coordinates[3 * i], mesh.Coordinates[3 * i + 1],
-      mesh.Coordinates[3 * i + 2] };
-    solid.Points.push_back(p);
-    solid.Values.push_back(std::sin(0.7 * p[0]) * std::cos(0.5 * p[1]) + 0.1 * p[2] * p[2]);
-  }
-  for (std::size_t i = 0; i < mesh.GetTets(); ++i)
-  {
-    Tet tet{};
-    for (std::size_t c = 0; c < 4; ++c)
-    {
-      tet[c] = static_cast<std::uint32_t>(mesh.Ids[4 * i + c]);
-    }
-    // Whole cubes, six tetrahedra each, by the corner that is nearest to the origin.
-    Position low{ 1e9, 1e9, 1e9 };
-    const auto first = 6 * (i / 6);
-    for (std::size_t k = 4 * first; k < 4 * first + 24; ++k)
-    {
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        low[c] = std::min(
-          low[c], std::round(mesh.Coordinates[3 * static_cast<std::size_t>(mesh.Ids[k]) + c]));
-      }
-    }
-    if (isIn(low))
-    {
-      solid.Tets.push_back(tet);
-    }
-  }
-  return solid;
+  return BuildMergeTree(solid.GetInput());
 }
 
-/** All in one piece; a ring; with a void; in two parts. */
-Solid MakeSolid(const std::string& name)
+/** Two parts, in groups of some hundred tetrahedra. */
+MergeTree BuildInParts(const Solid& solid)
 {
-  if (name == "Ring")
-  {
-    return MakeSolid(
-      7, 0.2, [](const Position& p) { return p[0] < 2 || p[0] > 4 || p[1] < 2 || p[1] > 4; });
-  }
-  if (name == "Void")
-  {
-    return MakeSolid(7, 0.2,
-      [](const Position& p)
-      { return std::any_of(p.begin(), p.end(), [](double x) { return x < 2 || x > 4; }); });
-  }
-  if (name == "Parts")
-  {
-    return MakeSolid(6, 0.2, [](const Position& p) { return p[2] < 2 || p[2] > 3; });
-  }
-  return MakeSolid(6, name == "Lattice" ? 0 : 0.25, [](const Position&) { return true; });
+  PartMergeSettings settings;
+  settings.TetsOfGroup = 400;
+  settings.Folder = GATUN_TEST_TEMP;
+  return BuildInParts(solid, 2, settings);
 }
 
-double GetTetVolume(const std::vector<Position>& points, const Tet& tet)
-{
-  std::array<Position, 3> u;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      u[i][c] = points[tet[i + 1]][c] - points[tet[0]][c];
-    }
-  }
-  return (u[0][0] * (u[1][1] * u[2][2] - u[1][2] * u[2][1]) +
-           u[0][1] * (u[1][2] * u[2][0] - u[1][0] * u[2][2]) +
-           u[0][2] * (u[1][0] * u[2][1] - u[1][1] * u[2][0])) /
-    6;
-}
+/** A solid, and how its merges are found. */
+using Simplified = std::tuple<const char*, MergeTree (*)(const Solid&)>;
 
-using Simplex = std::set<std::uint32_t>;
-
-/** Faces with how many tetrahedra have them. */
-std::map<Simplex, int> CountFaces(const std::vector<Tet>& tets)
+class SimplifiedMesh : public testing::TestWithParam<Simplified>
 {
-  std::map<Simplex, int> faces;
-  for (const Tet& tet : tets)
-  {
-    for (std::size_t side = 0; side < 4; ++side)
-    {
-      Simplex face(tet.begin(), tet.end());
-      face.erase(tet[side]);
-      ++faces[face];
-    }
-  }
-  return faces;
-}
-
-std::set<Simplex> GetBoundary(const std::vector<Tet>& tets)
-{
-  std::set<Simplex> boundary;
-  for (const auto& [face, count] : CountFaces(tets))
-  {
-    if (count == 1)
-    {
-      boundary.insert(face);
-    }
-  }
-  return boundary;
-}
-
-/** Points - edges + faces - tetrahedra. */
-int GetEulerCharacteristic(const std::set<Simplex>& simplices)
-{
-  std::set<Simplex> all = simplices;
-  for (std::size_t size = 4; size > 1; --size)
-  {
-    std::set<Simplex> next;
-    for (const Simplex& simplex : all)
-    {
-      for (const auto point : simplex)
-      {
-        if (simplex.size() == size)
-        {
-          Simplex side = simplex;
-          side.erase(point);
-          next.insert(side);
-        }
-      }
-    }
-    all.insert(next.begin(), next.end());
-  }
-  int sum = 0;
-  for (const Simplex& simplex : all)
-  {
-    sum += simplex.size() % 2 == 1 ? 1 : -1;
-  }
-  return sum;
-}
-
-std::vector<Tet> SimplifyAll(std::vector<Tet> tets, const MergeTree& tree, std::size_t merges)
-{
-  const auto ancestors = tree.FindAncestors(merges);
-  std::erase_if(tets, [&](Tet& tet) { return !Simplify(tet, ancestors); });
-  return tets;
-}
-
-class SimplifiedMesh : public testing::TestWithParam<const char*>
-{
+protected:
+  const Solid Mesh = MakeSolid(std::get<0>(GetParam()));
+  const MergeTree Tree = std::get<1>(GetParam())(Mesh);
 };
 
 //------------------------------------------------------------------------------
 TEST_P(SimplifiedMesh, IsTheSameAsMergingOneByOne)
 {
-  const Solid solid = MakeSolid(GetParam());
-  const MergeTree tree = BuildMergeTree(solid.GetInput());
+  const Solid& solid = this->Mesh;
+  const MergeTree& tree = this->Tree;
   ASSERT_GT(tree.GetMerges().size(), solid.Points.size() / 2);
   auto tets = solid.Tets;
   std::size_t n = 0;
@@ -206,8 +77,8 @@ TEST_P(SimplifiedMesh, IsTheSameAsMergingOneByOne)
 //------------------------------------------------------------------------------
 TEST_P(SimplifiedMesh, KeepsOrientationBoundaryAndTopology)
 {
-  const Solid solid = MakeSolid(GetParam());
-  const MergeTree tree = BuildMergeTree(solid.GetInput());
+  const Solid& solid = this->Mesh;
+  const MergeTree& tree = this->Tree;
   const auto boundary = GetBoundary(solid.Tets);
   const auto toSimplices = [](const std::vector<Tet>& tets)
   {
@@ -262,8 +133,8 @@ TEST_P(SimplifiedMesh, KeepsOrientationBoundaryAndTopology)
 //------------------------------------------------------------------------------
 TEST_P(SimplifiedMesh, KeepsItsVolumeWhereOnlyInnerPointsMerge)
 {
-  const Solid solid = MakeSolid(GetParam());
-  const MergeTree tree = BuildMergeTree(solid.GetInput());
+  const Solid& solid = this->Mesh;
+  const MergeTree& tree = this->Tree;
   std::set<std::uint32_t> onBoundary;
   for (const Simplex& face : GetBoundary(solid.Tets))
   {
@@ -301,8 +172,13 @@ TEST_P(SimplifiedMesh, KeepsItsVolumeWhereOnlyInnerPointsMerge)
 }
 
 INSTANTIATE_TEST_SUITE_P(, SimplifiedMesh,
-  testing::Values("Block", "Lattice", "Ring", "Void", "Parts"),
-  [](const auto& given) { return std::string(given.param); });
+  testing::Combine(testing::Values("Block", "Lattice", "Ring", "Void", "Parts"),
+    testing::Values(&BuildWhole, static_cast<MergeTree (*)(const Solid&)>(&BuildInParts))),
+  [](const auto& given)
+  {
+    const bool isWhole = std::get<1>(given.param) == &BuildWhole;
+    return std::string(std::get<0>(given.param)) + (isWhole ? "" : "InParts");
+  });
 
 //------------------------------------------------------------------------------
 TEST(MergeBuilder, LinearDataCostsNothingInside)

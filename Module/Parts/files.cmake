@@ -1,0 +1,20 @@
+# Parts: merges of a mesh that is in memory only in parts; the rest of it is on disk.
+gatun_core_folder(Parts
+  INCLUDES
+    Support
+    Coding
+    Format
+    Merge
+  PRIVATE_HEADERS
+    gatunBrickBuilder.h
+    gatunBrickDivision.h
+    gatunBrickFile.h
+    gatunBrickGroup.h
+    gatunMergeBrick.h
+    gatunPartMerges.h
+  SOURCES
+    gatunBrickBuilder.cxx
+    gatunBrickDivision.cxx
+    gatunBrickFile.cxx
+    gatunBrickGroup.cxx
+    gatunPartMerges.cxx)

@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunPartMerges.h"
+
+#include "gatunError.h"
+#include "gatunMergeCosts.h"
+#include "gatunMergeInputCheck.h"
+#include "gatunParallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <numeric>
+#include <tuple>
+
+namespace gatun
+{
+namespace
+{
+/** Bricks of a group, at least, before merges: so many that walls have a choice of places. */
+constexpr std::uint64_t BricksOfGroup = 64;
+
+/** The memory for records of merges before they go to disk. */
+constexpr std::size_t RecordMemory = std::size_t{ 32 } << 20;
+
+/** A level that leaves more than this part of the tetrahedra does little. The next limit is then
+ * further away, and after some such levels in a row there is no use in going on. */
+constexpr double SlowLevel = 0.9;
+constexpr unsigned SlowStep = 16; // a factor of two of the cost
+constexpr int MostSlowLevels = 3;
+
+/** Of the best merges that are left after a level, the next one makes this part. */
+constexpr double PartOfLevel = 0.7;
+
+/** The part of the time that passes before the first merges. */
+constexpr double PartOfFinding = 0.2;
+
+}
+
+//------------------------------------------------------------------------------
+int GetGroupsFor(std::uint64_t memory)
+{
+  constexpr std::uint64_t bytesOfTet = 160;
+  const std::uint64_t groups = memory / (bytesOfTet * PartMergeSettings().TetsOfGroup);
+  return memory == 0 ? 0 : static_cast<int>(std::clamp<std::uint64_t>(groups, 1, 1 << 16));
+}
+
+//------------------------------------------------------------------------------
+bool PartMerges::Record::operator<(const Record& other) const
+{
+  return std::tie(this->Level, this->Key, this->Pass, this->Group, this->Number) <
+    std::tie(other.Level, other.Key, other.Pass, other.Group, other.Number);
+}
+
+//------------------------------------------------------------------------------
+PartMerges::PartMerges(std::uint32_t points, std::size_t fields, const PartMergeSettings& settings)
+  : Points(points)
+  , Settings(settings)
+  , OfGroups{ settings.Merges, fields }
+  , Builder(fields,
+      static_cast<std::size_t>(std::max<std::uint64_t>(1, settings.TetsOfGroup / BricksOfGroup)))
+  , Bricks(settings.Folder, fields)
+  , BricksOfPoint(points, 0)
+  , Histogram(std::size_t{ 1 } << 15, 0)
+  , Records(settings.Folder, RecordMemory)
+{
+  CheckMergeSettings(settings.Merges);
+  if (settings.Merges.PartAtOnce != 0 || settings.TetsOfGroup == 0)
+  {
+    ThrowInvalid("these settings are not for merges in parts");
+  }
+}
+
+//------------------------------------------------------------------------------
+void PartMerges::Add(const MergePart& part)
+{
+  const auto isThere = [&](std::uint32_t point) { return point < this->Points; };
+  if (!std::all_of(part.Numbers.begin(), part.Numbers.end(), isThere))
+  {
+    ThrowInvalid("a part of a mesh has points that the mesh does not have");
+  }
+  this->Builder.Add(part,
+    [this](const MergeBrick& brick, const Bounds& box)
+    {
+      this->Bricks.Add(brick);
+      this->Boxes.push_back(box);
+      for (const auto point : brick.Points)
+      {
+        auto& bricks = this->BricksOfPoint[point];
+        bricks = static_cast<std::uint8_t>(bricks + (bricks < ManyBricks ? 1 : 0));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint64_t> PartMerges::CountTets() const
+{
+  std::vector<std::uint64_t> tets;
+  for (std::size_t brick = 0; brick < this->Bricks.GetNumber(); ++brick)
+  {
+    tets.push_back(this->Bricks.GetTets(brick));
+  }
+  return tets;
+}
+
+//------------------------------------------------------------------------------
+MergeBrick PartMerges::ReadBrick(std::size_t number) const
+{
+  MergeBrick brick = this->Bricks.Read(number);
+  if (this->HasSums)
+  {
+    this->Builder.Finish(brick);
+  }
+  return brick;
+}
+
+//------------------------------------------------------------------------------
+bool PartMerges::Report(double done)
+{
+  this->Done = std::max(this->Done, done);
+  return !*this->Progress || (*this->Progress)(this->Done);
+}
+
+//------------------------------------------------------------------------------
+/** The limit below which the keys of the last pass make the part of a level. */
+unsigned PartMerges::FindLimit() const
+{
+  const auto all =
+    std::accumulate(this->Histogram.begin(), this->Histogram.end(), std::uint64_t{ 0 });
+  const double wanted = PartOfLevel * static_cast<double>(all);
+  double below = 0;
+  unsigned key = 0;
+  for (; key < this->Histogram.size() && below < wanted; ++key)
+  {
+    below += static_cast<double>(this->Histogram[key]);
+  }
+  return key;
+}
+
+//------------------------------------------------------------------------------
+MergedGroup PartMerges::RunGroup(const BrickDivision::Group& group, unsigned limit)
+{
+  std::vector<MergeBrick> bricks;
+  for (const auto brick : group)
+  {
+    bricks.push_back(this->ReadBrick(brick));
+  }
+  MergedGroup merged = MergeBricks(std::move(bricks), this->OfGroups, this->BricksOfPoint, limit);
+  for (std::size_t i = 0; i < group.size(); ++i)
+  {
+    this->Bricks.Replace(group[i], merged.Bricks[i]);
+  }
+  merged.Bricks = {};
+  return merged;
+}
+
+//------------------------------------------------------------------------------
+void PartMerges::Note(
+  const MergedGroup& merged, std::uint16_t level, std::uint16_t pass, std::uint32_t group)
+{
+  std::uint32_t number = 0;
+  for (const KeyedMerge& merge : merged.Merges)
+  {
+    this->Records.Add(
+      { merge.Change, merge.Point, merge.Into, group, number++, level, pass, merge.Key });
+  }
+  this->Merges += merged.Merges.size();
+  for (const auto key : merged.Keys)
+  {
+    ++this->Histogram[key];
+  }
+}
+
+//------------------------------------------------------------------------------
+void PartMerges::CountBricks(std::span<const std::pair<std::uint32_t, int>> changes)
+{
+  for (const auto& [point, change] : changes)
+  {
+    auto& bricks = this->BricksOfPoint[point];
+    if (bricks != ManyBricks)
+    {
+      bricks = static_cast<std::uint8_t>(std::clamp<int>(bricks + change, 0, ManyBricks));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Merges all groups of a division up to a limit. */
+void PartMerges::RunPass(std::uint16_t level, std::uint16_t pass, unsigned limit)
+{
+  const auto tets = this->CountTets();
+  const auto groups = this->Division->Divide(tets, this->Settings.TetsOfGroup);
+  std::fill(this->Histogram.begin(), this->Histogram.end(), 0);
+  std::vector<std::vector<std::pair<std::uint32_t, int>>> changes(groups.size());
+  std::mutex mutex;
+  const double before = this->Done;
+  const double part = limit == 0 ? PartOfFinding : 0.2 * (1 - before);
+  ParallelFor(
+    groups.size(),
+    [&](std::size_t g)
+    {
+      auto merged = this->RunGroup(groups[g], limit);
+      changes[g] = std::move(merged.Changes);
+      const std::scoped_lock lock(mutex);
+      this->Note(merged, level, pass, static_cast<std::uint32_t>(g));
+    },
+    [&](double done) { return this->Report(before + part * done); });
+  // All groups of a pass have seen the same numbers.
+  for (const auto& some : changes)
+  {
+    this->CountBricks(some);
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Returns the number of levels. */
+std::uint16_t PartMerges::ReduceToOneGroup()
+{
+  const auto count = [&]
+  {
+    const auto tets = this->CountTets();
+    return std::accumulate(tets.begin(), tets.end(), std::uint64_t{ 0 });
+  };
+  std::uint16_t level = 0;
+  std::uint64_t most = this->Settings.TetsOfGroup;
+  std::uint64_t left = count();
+  if (left <= most)
+  {
+    return level;
+  }
+  const auto all = static_cast<double>(left);
+  unsigned limit = 0;
+  int slow = 0;
+  this->RunPass(level, 0, limit);
+  this->HasSums = false;
+  while (left > most)
+  {
+    limit = std::max(limit + 1 + (slow > 0 ? SlowStep : 0), this->FindLimit());
+    this->RunPass(level, 0, limit);
+    this->RunPass(level, 1, limit);
+    this->Levels.push_back(this->Merges);
+    ++level;
+    const std::uint64_t before = left;
+    left = count();
+    slow = static_cast<double>(left) > SlowLevel * static_cast<double>(before) ? slow + 1 : 0;
+    if (slow == MostSlowLevels)
+    {
+      most *= 2;
+      slow = 0;
+    }
+    this->Report(PartOfFinding + (1 - PartOfFinding) * (1 - static_cast<double>(left) / all));
+  }
+  return level;
+}
+
+//------------------------------------------------------------------------------
+MergeTree PartMerges::MakeTree()
+{
+  this->Records.Sort();
+  std::vector<Merge> merges;
+  merges.reserve(this->Merges);
+  double change = 0;
+  for (; const Record* const record = this->Records.Get(); this->Records.Next())
+  {
+    change += record->Change;
+    merges.push_back({ record->Point, record->Into,
+      static_cast<float>(std::sqrt(change) / MergeCosts<1>::ChangePerError) });
+  }
+  return { this->Points, std::move(merges) };
+}
+
+//------------------------------------------------------------------------------
+MergeTree PartMerges::Build(const std::function<bool(double)>& progress)
+{
+  this->Progress = &progress;
+  this->Division.emplace(std::move(this->Boxes));
+  this->Builder.End();
+  this->OfGroups.PerWhole = this->Builder.GetPerWhole();
+  this->OfGroups.PerTet = this->Builder.GetPerTet();
+  std::uint16_t levels = 0;
+  const auto reduce = [&] { levels = this->ReduceToOneGroup(); };
+  const int threads = this->Settings.GroupsAtOnce;
+  if (threads > 0 && threads < GetNumberOfThreads())
+  {
+    WithNumberOfThreads(threads, reduce);
+  }
+  else
+  {
+    reduce();
+  }
+  std::vector<MergeBrick> rest;
+  for (std::size_t brick = 0; brick < this->Bricks.GetNumber(); ++brick)
+  {
+    if (this->Bricks.GetTets(brick) > 0)
+    {
+      rest.push_back(this->ReadBrick(brick));
+    }
+  }
+  const double before = this->Done;
+  const auto merged = MergeBricks(std::move(rest), this->OfGroups, {}, {},
+    [&](double done) { return this->Report(before + (1 - before) * done); });
+  this->Note(merged, levels, 0, 0);
+  return this->MakeTree();
+}
+}

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunPartMerges_h
+#define gatunPartMerges_h
+
+#include "gatunBrickBuilder.h"
+#include "gatunBrickDivision.h"
+#include "gatunBrickFile.h"
+#include "gatunBrickGroup.h"
+#include "gatunMergeTree.h"
+#include "gatunSpillSorter.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gatun
+{
+struct PartMergeSettings
+{
+  MergeSettings Merges; ///< PartAtOnce is not for parts
+
+  /** The most tetrahedra of a group of bricks, of which each thread has one in memory at 100 to 160
+   * bytes a tetrahedron. It determines the merges, unlike the number of threads. */
+  std::uint64_t TetsOfGroup = 2'000'000;
+
+  /** The most groups in memory, or 0 for one in each thread. */
+  int GroupsAtOnce = 0;
+
+  /** Where temporary files are made, without names. */
+  std::string Folder = ".";
+};
+
+/** The number of groups of the default size that so many bytes are for, at least one; 0 for 0. */
+int GetGroupsFor(std::uint64_t memory);
+
+/**
+ * Merges the points of a mesh that never is in memory as a whole.
+ *
+ * The mesh is cut into bricks, which are on disk. Groups of bricks are merged by themselves, each
+ * in memory, up to one limit of the cost for all of them; points that a group shares with others
+ * stay. Then the bricks are divided into other groups, and merged up to the same limit: that is a
+ * level. The limit rises from level to level, until all that is left fits into one group. So, no
+ * wall between groups is ever finer than what is around it by more than a level.
+ *
+ * The order of the merges is by level, and within it by the largest cost of a merge and of those
+ * that it needs. Errors are within some percent of those of BuildMergeTree at equal numbers of
+ * tetrahedra. The merges do not depend on the number of threads.
+ *
+ * Memory: the groups; 1 byte a point, and what sums there are of points of several parts; and for
+ * the tree, 12 bytes a merge. Disk: 34 bytes a tetrahedron and 6 for each field, and 40 bytes a
+ * merge.
+ *
+ * Methods throw Error (InvalidInput, CannotWrite, Aborted).
+ */
+class PartMerges
+{
+public:
+  /** points: the number of points of the mesh. fields: that of its fields. */
+  PartMerges(std::uint32_t points, std::size_t fields, const PartMergeSettings& settings);
+
+  /** The merges depend on the parts and on their order. */
+  void Add(const MergePart& part);
+
+  /** To be called once behind the last part. progress: see BuildMergeTree. */
+  MergeTree Build(const std::function<bool(double)>& progress = {});
+
+  /** The number of merges up to the end of each level but the last one, after Build. */
+  const std::vector<std::size_t>& GetLevels() const { return this->Levels; }
+
+private:
+  struct Record
+  {
+    double Change;
+    std::uint32_t Point, Into;
+    std::uint32_t Group, Number; // the group of the pass, the merge of the group
+    std::uint16_t Level, Pass;
+    MergeQueue::Key Key;
+
+    bool operator<(const Record& other) const;
+  };
+
+  std::vector<std::uint64_t> CountTets() const;
+  MergeBrick ReadBrick(std::size_t number) const;
+  std::uint16_t ReduceToOneGroup();
+  void RunPass(std::uint16_t level, std::uint16_t pass, unsigned limit);
+  MergedGroup RunGroup(const BrickDivision::Group& group, unsigned limit);
+  void Note(
+    const MergedGroup& merged, std::uint16_t level, std::uint16_t pass, std::uint32_t group);
+  void CountBricks(std::span<const std::pair<std::uint32_t, int>> changes);
+  unsigned FindLimit() const;
+  bool Report(double done);
+  MergeTree MakeTree();
+
+  const std::uint32_t Points;
+  const PartMergeSettings Settings;
+  BrickGroupSettings OfGroups;
+  BrickBuilder Builder;
+  BrickFile Bricks;
+  std::vector<Bounds> Boxes; // of the bricks
+  bool HasSums = true;       // whether the samples of the bricks are those of the builder
+  std::vector<std::uint8_t> BricksOfPoint;
+  std::optional<BrickDivision> Division;
+  std::vector<std::uint64_t> Histogram; // of the keys of the last pass
+  SpillSorter<Record> Records;
+  std::size_t Merges = 0;
+  std::vector<std::size_t> Levels;
+  const std::function<bool(double)>* Progress = nullptr;
+  double Done = 0;
+};
+}
+
+#endif
