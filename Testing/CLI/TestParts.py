@@ -60,6 +60,14 @@ for name, files in (
     gtn("pack", "-q", "-f", "--memory", 2000, name, "steps.gtn")
     gtn("verify", "steps.gtn", "whole0.vtu", "whole1.vtu", says="identical")
 
+# A hierarchy of the whole, which never is in memory.
+gtn("pack", "-q", "--memory", 2000, "--hierarchy", "--weight", "pressure", "step0.pvtu", "step1.pvtu", "tree.gtn")
+gtn("verify", "tree.gtn", "whole0.vtu", "whole1.vtu", says="identical")
+about = json.loads(gtn("info", "--json", "tree.gtn"))
+assert about["merges"] > 0.8 * len(points), about["merges"]
+gtn("simplify", "-q", "--ratio", 0.9, "tree.gtn", "less.gtn")
+assert json.loads(gtn("info", "--json", "less.gtn"))["points"] <= 0.1 * len(points) + 1
+
 # A .gtn file knows pieces itself.
 gtn("pack", "-q", "--chunk-size", 300, "whole0.vtu", "whole.gtn")
 gtn("pack", "--pieces", 4, "whole.gtn", "again.gtn", says=f"{len(points):,} points")
@@ -73,6 +81,8 @@ def refuse(*arguments, says, code=1):
 
 
 refuse("--memory", 100, "step0.pvtu", says="--memory allows 100")
+refuse("--memory", 400, "--hierarchy", "step0.pvtu", says="--memory allows 400")
+refuse("--memory", 2000, "--hierarchy", "--weight", "other", "step0.pvtu", says="no point array 'other'")
 refuse("--memory", 2000, "--levels", 2, "step0.pvtu", says="need the whole mesh")
 refuse("--memory", 2000, "--layers", "pressure", "step0.pvtu", says="need the whole mesh")
 refuse("--memory", 2000, "--spill", "nowhere", "step0.pvtu", says="nowhere", code=2)

@@ -350,6 +350,18 @@ class LibraryWriting(unittest.TestCase):
                 expected = np.sort(points[tets[grid.cell_data["id"]]].view("f8,f8,f8")[..., 0], axis=1)
                 np.testing.assert_array_equal(corners, expected)
                 require_same_fields(grid.field_data, {"a": np.array([1, 2])})
+        gatun.write_parts(path, Parts(), times=times, overwrite=True, hierarchy=True)
+        with gatun.open(path) as file:
+            file.verify()
+            grid = file.read(step=1, ratio=0.9)
+            self.assertLess(len(grid.points), len(points) / 8)
+            require_equal(grid.point_data["v"], grid.points + times[1])
+            # No tetrahedron is turned over, and the cube stays one.
+            corners = grid.points[grid.connectivity.reshape(-1, 4)].astype(float)
+            before = points[tets[grid.cell_data["id"]]].astype(float)
+            volume, expected = (np.linalg.det(c[:, 1:] - c[:, :1]) for c in (corners, before))
+            self.assertTrue(np.all(volume * expected > 0))
+            self.assertAlmostEqual(np.abs(volume).sum() / 6, np.ptp(points, axis=0).prod(), 6)
         require_raises(TypeError, "twice", gatun.write_parts, path, iter([]), overwrite=True)
         require_raises(ValueError, "none", gatun.write_parts, path, [], overwrite=True)
         require_raises(gatun.InputError, "whole mesh", gatun.write_parts, path, Parts(), times=times, levels=2,
