@@ -84,7 +84,6 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << "\n" << indent << "Profile: " << (this->Profile == PROFILE_FAST ? "Fast" : "Small") << "\n";
   os << indent << "Hierarchy: " << (this->Hierarchy ? "On" : "Off") << "\n";
   os << indent << "Levels: " << this->Levels << "\n";
-  os << indent << "HierarchyMemory: " << this->HierarchyMemory << "\n";
   os << indent << "WriteBoundary: " << (this->WriteBoundary ? "On" : "Off") << "\n";
   this->Internals->Weights.Print(os, indent);
   os << indent << "LayerArray: " << (this->LayerArray.empty() ? "(none)" : this->LayerArray)

@@ -223,10 +223,10 @@ public:
    * time step, and which merges depend on which, so that some places can be simplified more than
    * others. This takes the time and memory of that filter. Default: off.
    *
-   * Of a mesh in pieces (NumberOfPieces) the merges are found in groups of tetrahedra that are in
-   * memory one after the other, with temporary files of some 40 bytes a tetrahedron beside the
-   * file. Errors are within some percent of those of the whole mesh. Which merges depend on which
-   * is not stored then.
+   * Of a mesh in pieces (NumberOfPieces) the merges are found in groups of tetrahedra. Each thread
+   * has one in memory, of 320 MB. Beside them, some 50 bytes a point are needed, and 40 bytes a
+   * tetrahedron of temporary files in the folder of the file. Errors are within some percent of
+   * those of the whole mesh. Which merges depend on which is not stored then.
    */
   vtkSetMacro(Hierarchy, bool);
   vtkGetMacro(Hierarchy, bool);
@@ -242,15 +242,6 @@ public:
    */
   vtkSetClampMacro(Levels, int, 0, 64);
   vtkGetMacro(Levels, int);
-  ///@}
-
-  ///@{
-  /**
-   * Memory for finding the hierarchy of a mesh in pieces, in MiB: there is a thread for each 320
-   * MiB, at least one. Some 50 bytes a point are needed beside it. 0: all threads. Default: 0.
-   */
-  vtkSetClampMacro(HierarchyMemory, int, 0, VTK_INT_MAX);
-  vtkGetMacro(HierarchyMemory, int);
   ///@}
 
   ///@{
@@ -454,7 +445,6 @@ protected:
   int KeyStepInterval = 8;
   int Profile = PROFILE_FAST;
   bool Hierarchy = false;
-  int HierarchyMemory = 0;
   int Levels = 0;
   bool WriteBoundary = false;
   std::string LayerArray;

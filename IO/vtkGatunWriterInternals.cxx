@@ -457,7 +457,6 @@ void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
   }
   gatun::PartWriterOptions options;
   options.File = this->MakeOptions(nullptr, {});
-  options.HierarchyMemory = static_cast<std::uint64_t>(owner->HierarchyMemory) << 20;
   this->Pieces = std::make_unique<gatun::GridPieces>(
     owner->FileName ? owner->FileName : "", options,
     [this](vtkUnstructuredGrid* piece) { return this->SelectArrays(piece); },

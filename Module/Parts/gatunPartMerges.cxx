@@ -38,14 +38,6 @@ constexpr double PartOfFinding = 0.2;
 }
 
 //------------------------------------------------------------------------------
-int GetGroupsFor(std::uint64_t memory)
-{
-  constexpr std::uint64_t bytesOfTet = 160;
-  const std::uint64_t groups = memory / (bytesOfTet * PartMergeSettings().TetsOfGroup);
-  return memory == 0 ? 0 : static_cast<int>(std::clamp<std::uint64_t>(groups, 1, 1 << 16));
-}
-
-//------------------------------------------------------------------------------
 bool PartMerges::Record::operator<(const Record& other) const
 {
   return std::tie(this->Level, this->Key, this->Pass, this->Group, this->Number) <
@@ -277,17 +269,7 @@ MergeTree PartMerges::Build(const std::function<bool(double)>& progress)
   this->Builder.End();
   this->OfGroups.PerWhole = this->Builder.GetPerWhole();
   this->OfGroups.PerTet = this->Builder.GetPerTet();
-  std::uint16_t levels = 0;
-  const auto reduce = [&] { levels = this->ReduceToOneGroup(); };
-  const int threads = this->Settings.GroupsAtOnce;
-  if (threads > 0 && threads < GetNumberOfThreads())
-  {
-    WithNumberOfThreads(threads, reduce);
-  }
-  else
-  {
-    reduce();
-  }
+  const std::uint16_t levels = this->ReduceToOneGroup();
   std::vector<MergeBrick> rest;
   for (std::size_t brick = 0; brick < this->Bricks.GetNumber(); ++brick)
   {

@@ -29,15 +29,9 @@ struct PartMergeSettings
    * bytes a tetrahedron. It determines the merges, unlike the number of threads. */
   std::uint64_t TetsOfGroup = 2'000'000;
 
-  /** The most groups in memory, or 0 for one in each thread. */
-  int GroupsAtOnce = 0;
-
   /** Where temporary files are made, without names. */
   std::string Folder = ".";
 };
-
-/** The number of groups of the default size that so many bytes are for, at least one; 0 for 0. */
-int GetGroupsFor(std::uint64_t memory);
 
 /**
  * Merges the points of a mesh that never is in memory as a whole.

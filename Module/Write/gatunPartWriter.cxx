@@ -267,7 +267,6 @@ void PartWriter::Internals::JoinAlone()
   {
     PartMergeSettings settings;
     settings.Folder = this->Folder;
-    settings.GroupsAtOnce = GetGroupsFor(this->Options.HierarchyMemory);
     this->Tree.emplace(this->State, *this->Options.Weights,
       this->Parts.empty() ? 0 : this->Parts.front().StepHashes.size(), settings);
   }

@@ -30,13 +30,9 @@ struct PartWriterOptions
   WriterOptions File;
 
   /** For a hierarchy of the tetrahedra, which is found in parts: the weight of each array for
-   * merges, 0 for those that do not count. Not with several processes. */
+   * merges, 0 for those that do not count. Not with several processes. It takes 320 MB in each
+   * thread and some 50 bytes a point while Finish finds it. */
   std::optional<std::vector<double>> Weights;
-
-  /** About the number of bytes for finding the hierarchy, which are divided by 320 MB to get the
-   * number of threads, at least one; 0 for all threads. Beside it, there are some 50 bytes a point.
-   */
-  std::uint64_t HierarchyMemory = 0;
 
   /** The number of bytes of points on the boundaries of parts that are kept in memory, and again of
    * those that are joined; further ones are in temporary files in the folder of the file. */

@@ -9,6 +9,7 @@
 #include "gtnSettings.h"
 #include "gtnSpooledMesh.h"
 
+#include "gatunParallel.h"
 #include "gatunPartWriter.h"
 #include "vtkGatunWriter.h"
 
@@ -37,18 +38,22 @@ std::uint64_t NeededMiB(std::uint64_t pieceBytes, std::uint64_t moreBytes)
   return ProgramMiB + ((spillBytes + Copies * pieceBytes + moreBytes) >> 20);
 }
 
-// What the tables of a hierarchy take of the bytes of a mesh in memory: some 50 bytes a point.
-constexpr std::uint64_t BytesPerTableByte = 5;
+// What a thread takes to find the hierarchy of a mesh in pieces.
+constexpr std::uint64_t GroupMiB = 320;
+
+// What the tables of a hierarchy take: some 50 bytes a point. bytes: of the mesh.
+std::uint64_t TableMiB(std::uint64_t bytes)
+{
+  return bytes / 5 >> 20;
+}
 
 // The same with the hierarchy of a mesh that is written in pieces. allBytes: of all pieces.
 std::uint64_t NeededMiB(
   vtkGatunWriter* writer, std::uint64_t pieceBytes, std::uint64_t moreBytes, std::uint64_t allBytes)
 {
-  constexpr std::uint64_t leastMiB = 320;
   const auto needed = NeededMiB(pieceBytes, moreBytes);
-  return writer->GetHierarchy()
-    ? std::max(needed, ProgramMiB + leastMiB + (allBytes / BytesPerTableByte >> 20))
-    : needed;
+  return writer->GetHierarchy() ? std::max(needed, ProgramMiB + GroupMiB + TableMiB(allBytes))
+                                : needed;
 }
 
 // Divides a mesh in one file.
@@ -173,8 +178,14 @@ bool SetPieces(
                     "{}; smaller pieces would take less",
           pieces > 1 ? fmt::format("{} pieces", pieces) : "one piece", needed, limit));
     }
-    const auto tables = ProgramMiB + (allBytes / BytesPerTableByte >> 20);
-    writer->SetHierarchyMemory(static_cast<int>(limit - std::min(limit - 1, tables)));
+    if (pieces > 1 && writer->GetHierarchy())
+    {
+      const auto threads = (limit - ProgramMiB - TableMiB(allBytes)) / GroupMiB;
+      if (threads < static_cast<std::uint64_t>(gatun::GetNumberOfThreads()))
+      {
+        gatun::SetNumberOfThreads(static_cast<int>(std::max<std::uint64_t>(1, threads)));
+      }
+    }
   }
   return pieces > 1 || input.IsSpooled();
 }

@@ -106,7 +106,7 @@ TEST(PartMerges, AreNearlyAsGoodAsThoseOfTheWhole)
 }
 
 //------------------------------------------------------------------------------
-TEST(PartMerges, DoNotDependOnThreadsAndGroupsAtOnce)
+TEST(PartMerges, DoNotDependOnThreads)
 {
   const Solid solid = MakeBlock(9);
   MergeTree first;
@@ -114,10 +114,8 @@ TEST(PartMerges, DoNotDependOnThreadsAndGroupsAtOnce)
   EXPECT_GT(first.GetMerges().size(), solid.Points.size() / 2);
   for (const int threads : { 2, 5 })
   {
-    auto settings = MakeSettings(700);
-    settings.GroupsAtOnce = threads == 5 ? 2 : 0;
     MergeTree other;
-    WithNumberOfThreads(threads, [&] { other = BuildInParts(solid, 3, settings); });
+    WithNumberOfThreads(threads, [&] { other = BuildInParts(solid, 3, MakeSettings(700)); });
     ExpectSame(first, other);
   }
 }
