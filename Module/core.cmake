@@ -87,6 +87,15 @@ if (CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|amd64")
     Values/gatunQuadraticLanesAVX2.cxx)
 endif ()
 
+# Without loops that take time, so that they may be small.
+gatun_set_options(-Os
+  Write/gatunPartAgreement.cxx
+  Write/gatunPartAssembly.cxx
+  Write/gatunPartExchange.cxx
+  Write/gatunPartSurvey.cxx
+  Write/gatunPartTree.cxx
+  Write/gatunPartWriter.cxx)
+
 add_library(gatunObjects OBJECT ${sources})
 gatun_set_unity_groups(gatunObjects ${sources})
 target_compile_features(gatunObjects PUBLIC cxx_std_20)

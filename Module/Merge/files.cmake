@@ -35,6 +35,7 @@ gatun_core_folder(Merge
     gatunMergeTriangles.h
     gatunSurfaceCosts.h
     gatunSurfaceQuadrics.h
+    gatunTetRounds.h
   SOURCES
     gatunDependencyCheck.cxx
     gatunDependencyCodec.cxx

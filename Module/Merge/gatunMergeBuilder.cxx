@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunMergeBuilder.h"
 
-#include "gatunMergeCosts.h"
 #include "gatunMergeFields.h"
 #include "gatunMergeInputCheck.h"
-#include "gatunMergeMesh.h"
 #include "gatunMergeOrder.h"
-#include "gatunMergeRounds.h"
+#include "gatunTetRounds.h"
 
 namespace gatun
 {
+template class MergeRounds<MergeMesh, MergeCosts<0>>;
+template class MergeRounds<MergeMesh, MergeCosts<1>>;
+
 namespace
 {
 template <std::size_t NumberOfFields>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunBrickGroup.h"
 
-#include "gatunMergeCosts.h"
 #include "gatunMergeOrder.h"
+#include "gatunTetRounds.h"
 #include "gatunVector.h"
 
 #include <algorithm>
