@@ -87,14 +87,29 @@ if (CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|amd64")
     Values/gatunQuadraticLanesAVX2.cxx)
 endif ()
 
-# Without loops that take time, so that they may be small.
+# Where little time is spent, so that the library is small.
 gatun_set_options(-Os
+  Describe/gatunDescription.cxx
+  Describe/gatunDescriptionText.cxx
+  Describe/gatunLayerDescription.cxx
+  Describe/gatunMeshDescription.cxx
+  Describe/gatunVolumeDescription.cxx
+  Parts/gatunBrickBuilder.cxx
+  Parts/gatunBrickDivision.cxx
+  Parts/gatunBrickFile.cxx
+  Parts/gatunBrickGroup.cxx
+  Parts/gatunPartMerges.cxx
+  Read/gatunVerifyFile.cxx
+  Write/gatunBoundaryMerge.cxx
+  Write/gatunFileWriter.cxx
+  Write/gatunFileWriterSeries.cxx
   Write/gatunPartAgreement.cxx
   Write/gatunPartAssembly.cxx
   Write/gatunPartExchange.cxx
   Write/gatunPartSurvey.cxx
   Write/gatunPartTree.cxx
-  Write/gatunPartWriter.cxx)
+  Write/gatunPartWriter.cxx
+  Write/gatunWriterState.cxx)
 
 add_library(gatunObjects OBJECT ${sources})
 gatun_set_unity_groups(gatunObjects ${sources})
