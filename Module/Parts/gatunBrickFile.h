@@ -36,7 +36,6 @@ public:
 
   std::size_t GetNumber() const { return this->Entries.size(); }
   std::uint64_t GetTets(std::size_t brick) const { return this->Entries[brick].Tets; }
-  std::uint64_t GetSize() const { return this->File.GetSize(); }
 
 private:
   struct Entry

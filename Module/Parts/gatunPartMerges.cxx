@@ -230,7 +230,6 @@ std::uint16_t PartMerges::ReduceToOneGroup()
     limit = std::max(limit + 1 + (slow > 0 ? SlowStep : 0), this->FindLimit());
     this->RunPass(level, 0, limit);
     this->RunPass(level, 1, limit);
-    this->Levels.push_back(this->Merges);
     ++level;
     const std::uint64_t before = left;
     left = count();

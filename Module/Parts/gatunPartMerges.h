@@ -64,9 +64,6 @@ public:
   /** To be called once behind the last part. progress: see BuildMergeTree. */
   MergeTree Build(const std::function<bool(double)>& progress = {});
 
-  /** The number of merges up to the end of each level but the last one, after Build. */
-  const std::vector<std::size_t>& GetLevels() const { return this->Levels; }
-
 private:
   struct Record
   {
@@ -103,7 +100,6 @@ private:
   std::vector<std::uint64_t> Histogram; // of the keys of the last pass
   SpillSorter<Record> Records;
   std::size_t Merges = 0;
-  std::vector<std::size_t> Levels;
   const std::function<bool(double)>* Progress = nullptr;
   double Done = 0;
 };

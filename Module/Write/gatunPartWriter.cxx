@@ -19,6 +19,7 @@
 #include "gatunWriterState.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -35,7 +36,28 @@ std::string GetSpillFolder(const std::string& path)
   return parent.empty() ? "." : parent;
 }
 
-void CheckOptions(const PartWriterOptions& all, std::size_t arrays, bool isAlone)
+void CheckWeights(const std::vector<double>& weights, const std::vector<ArrayDescription>& arrays)
+{
+  if (weights.size() != arrays.size())
+  {
+    ThrowInvalid("there must be a weight for each array");
+  }
+  for (std::size_t a = 0; a < arrays.size(); ++a)
+  {
+    if (!(weights[a] >= 0) || !std::isfinite(weights[a]))
+    {
+      ThrowInvalid("the weight of array '" + arrays[a].Name + "' must be 0 or more");
+    }
+    if (weights[a] > 0 && arrays[a].Where != Association::Point)
+    {
+      ThrowInvalid("array '" + arrays[a].Name +
+        "', which has a weight in the hierarchy, is not one of points");
+    }
+  }
+}
+
+void CheckOptions(
+  const PartWriterOptions& all, const std::vector<ArrayDescription>& arrays, bool isAlone)
 {
   const WriterOptions& options = all.File;
   if (options.Tree || options.Levels > 0)
@@ -54,9 +76,9 @@ void CheckOptions(const PartWriterOptions& all, std::size_t arrays, bool isAlone
   {
     ThrowInvalid("the hierarchy of a surface needs the whole surface, which cannot come in parts");
   }
-  if (all.Weights && all.Weights->size() != arrays)
+  if (all.Weights)
   {
-    ThrowInvalid("there must be a weight for each array");
+    CheckWeights(*all.Weights, arrays);
   }
 }
 }
@@ -561,7 +583,7 @@ PartWriter::PartWriter(const std::string& path, const std::vector<ArrayDescripti
   const PartWriterOptions& options, PartExchange* exchange)
 {
   const bool isAlone = !exchange || exchange->GetProcesses() == 1;
-  CheckOptions(options, arrays.size(), isAlone);
+  CheckOptions(options, arrays, isAlone);
   KeepFreedMemory();
   this->Self = !isAlone ? std::make_unique<Internals>(path, arrays, options, *exchange)
                         : std::make_unique<Internals>(path, arrays, options);

@@ -232,6 +232,13 @@ TEST(PartTree, IsRefusedOrAbortedWithoutATrace)
   auto options = MakeOptions();
   options.Weights = { 1 };
   EXPECT_THROW(PartWriter(path, PartMesh::Describe(), options), Error);
+  // Arrays of cells have no values of points, and weights are numbers.
+  for (const std::vector<double>& weights : { std::vector<double>{ 0, 0, 1, 0, 0 },
+         std::vector<double>{ -1, 0, 0, 0, 0 }, std::vector<double>{ std::nan(""), 0, 0, 0, 0 } })
+  {
+    options.Weights = weights;
+    EXPECT_THROW(PartWriter(path, PartMesh::Describe(), options), Error);
+  }
   options = MakeOptions();
   options.File.IsSurface = true;
   EXPECT_THROW(PartWriter(path, PartMesh::Describe(), options), Error);
