@@ -82,7 +82,7 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
     os << " " << error.Array << "=" << gatun::ToString(error.Bound);
   }
   os << "\n" << indent << "Profile: " << (this->Profile == PROFILE_FAST ? "Fast" : "Small") << "\n";
-  os << indent << "Hierarchy: " << (this->Hierarchy ? "On" : "Off") << "\n";
+  os << indent << "Hierarchy: " << this->Hierarchy << "\n";
   os << indent << "Levels: " << this->Levels << "\n";
   os << indent << "WriteBoundary: " << (this->WriteBoundary ? "On" : "Off") << "\n";
   this->Internals->Weights.Print(os, indent);

@@ -215,30 +215,41 @@ public:
   vtkGetMacro(KeyStepInterval, int);
   ///@}
 
+  enum HierarchyType
+  {
+    HIERARCHY_OFF = 0,
+    HIERARCHY_ON = 1,
+    HIERARCHY_WITH_DEPENDENCIES = 2
+  };
+
   ///@{
   /**
    * Whether to store a hierarchy, so that the mesh can be read and drawn with any number of points
    * (vtkGatunReader::SimplificationRatio, vtkGatunVolumeMapper): the order in which
    * vtkGatunSimplify merges points, with the defaults of that filter and the values of the first
-   * time step, and which merges depend on which, so that some places can be simplified more than
-   * others. This takes the time and memory of that filter. Default: off.
+   * time step. This takes the time and memory of that filter. Default: off.
+   *
+   * HIERARCHY_WITH_DEPENDENCIES: Also which merges depend on which, some 3 bytes a point. Readers
+   * need that to simplify some places more than others. They find it by decoding meshes of up to 4
+   * million tetrahedra, or cells of a surface; of larger ones, they take the finest base mesh
+   * (Levels) that is not larger.
    *
    * Of a mesh in pieces (NumberOfPieces) the merges are found in groups of tetrahedra. Each thread
    * has one in memory, of 320 MB. Beside them, some 50 bytes a point are needed, and 40 bytes a
    * tetrahedron of temporary files in the folder of the file. Errors are within some percent of
    * those of the whole mesh. Which merges depend on which is not stored then.
    */
-  vtkSetMacro(Hierarchy, bool);
-  vtkGetMacro(Hierarchy, bool);
-  vtkBooleanMacro(Hierarchy, bool);
+  vtkSetClampMacro(Hierarchy, int, HIERARCHY_OFF, HIERARCHY_WITH_DEPENDENCIES);
+  vtkGetMacro(Hierarchy, int);
+  vtkBooleanMacro(Hierarchy, int);
   ///@}
 
   ///@{
   /**
-   * Largest number of base meshes to store with the hierarchy, 0 to 64: with a half of the points,
-   * a quarter and so on, as long as more than 20,000 tetrahedra, or cells of a surface, remain. A
-   * coarse mesh then costs as much as one with at most twice as many points. Together they make the
-   * file up to twice as large. No effect if Hierarchy is off. Default: 0.
+   * Largest number of base meshes to store with the hierarchy, 0 to 64: with an eighth of the
+   * points, or with half of those of a surface, and each further one with half, as long as more
+   * than 20,000 tetrahedra, or cells of a surface, remain. A coarse mesh then costs as much as one
+   * with at most twice as many points. Together they make the file up to a third larger. No effect if Hierarchy is off. Default: 0.
    */
   vtkSetClampMacro(Levels, int, 0, 64);
   vtkGetMacro(Levels, int);
@@ -444,7 +455,7 @@ protected:
   int ChunkSize = 0;
   int KeyStepInterval = 8;
   int Profile = PROFILE_FAST;
-  bool Hierarchy = false;
+  int Hierarchy = HIERARCHY_OFF;
   int Levels = 0;
   bool WriteBoundary = false;
   std::string LayerArray;

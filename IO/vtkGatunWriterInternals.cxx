@@ -168,7 +168,7 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(vtkUnstructuredGr
       *tree = std::make_unique<gatun::MergeTree>(this->BuildTree(grid, options.IsSurface));
     }
     options.Tree = tree->get();
-    options.Dependencies = true;
+    options.Dependencies = this->Owner->Hierarchy == vtkGatunWriter::HIERARCHY_WITH_DEPENDENCIES;
     options.Levels = static_cast<unsigned>(this->Owner->Levels);
   }
   return options;

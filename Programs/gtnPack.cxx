@@ -60,6 +60,7 @@ struct PackOptions
   int ChunkSize = 0;
   int KeyStepInterval = 8;
   bool Hierarchy = false;
+  bool Dependencies = false;
   int Levels = 0;
   bool Boundary = false;
   MergeOptions Merges;
@@ -234,7 +235,9 @@ void Pack(const PackOptions& options, const Settings& settings)
   writer->WriteAllTimeStepsOn();
   writer->SetFillMissingArrays(options.FillMissing);
   writer->SetAppend(options.Append);
-  writer->SetHierarchy(options.Hierarchy || options.Levels > 0);
+  writer->SetHierarchy(options.Dependencies     ? vtkGatunWriter::HIERARCHY_WITH_DEPENDENCIES
+      : options.Hierarchy || options.Levels > 0 ? vtkGatunWriter::HIERARCHY_ON
+                                                : vtkGatunWriter::HIERARCHY_OFF);
   writer->SetLevels(options.Levels);
   writer->SetWriteBoundary(options.Boundary);
   options.Merges.ApplyWeights(writer.Get());
@@ -328,10 +331,15 @@ void AddPack(CLI::App& app, Settings& settings)
     "whole");
   command
     ->add_option("--levels", options->Levels,
-      "Store the hierarchy and up to N coarser meshes, 0 to 64, each with half of the points of "
-      "the one before, so that coarse levels of detail are read fast (default: 0)")
+      "Store the hierarchy and up to N coarser meshes, 0 to 64, the first with an eighth of the "
+      "points and each further one with half, so that coarse levels of detail are read fast "
+      "(default: 0)")
     ->check(CLI::Range(0, 64))
     ->option_text("N");
+  command->add_flag("--dependencies", options->Dependencies,
+    "Store the hierarchy, and which merges depend on which: some 3 bytes a point. With it, meshes "
+    "of more than 4 million tetrahedra can be finer where a view is near; of smaller ones, "
+    "readers find it out themselves");
   command->add_flag("--boundary", options->Boundary,
     "Store the boundary of the mesh, too, so that ParaView shows it at once when the mesh is read "
     "on demand");
@@ -387,9 +395,10 @@ void AddPack(CLI::App& app, Settings& settings)
       {
         throw UsageError("pack takes one or more meshes and then the name of a .gtn file");
       }
-      if (options->Merges.AreGiven && !options->Hierarchy && options->Levels == 0)
+      if (options->Merges.AreGiven && !options->Hierarchy && !options->Dependencies &&
+        options->Levels == 0)
       {
-        throw UsageError("--weight needs --hierarchy or --levels");
+        throw UsageError("--weight needs --hierarchy, --levels or --dependencies");
       }
       options->Input.InPieces = options->Pieces.AreGiven();
       options->Input.NamesSets = true;

@@ -118,10 +118,14 @@ std::size_t FileLevelsOfDetail::FindFinest(
 {
   // In motion, a quarter of the budget is for what is known of all points.
   const auto affordable = this->Budget->GetBytes() / 4 / BytesPerPoint;
-  const auto finest =
+  auto finest =
     std::min(this->FindLevel(isForRest ? FinestToUniform * points
                                        : std::min(FinestToUniform * points, affordable)),
       coarse);
+  while (!isForRest && finest < coarse && !this->File->MayHaveDependencies(finest))
+  {
+    ++finest;
+  }
   const FileReader& file = *this->File->GetFile();
   const double weight =
     DetailWeights(view.View, GetDiagonal(file.GetBounds())).Get(file.GetBounds());

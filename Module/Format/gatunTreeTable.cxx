@@ -35,6 +35,43 @@ void PutMergeNumbers(ByteWriter& out, const std::vector<std::uint32_t>& numbers)
   }
 }
 
+void PutParts(ByteWriter& out, const std::vector<TreePart>& parts)
+{
+  out.PutVarint(parts.size());
+  for (const TreePart& part : parts)
+  {
+    out.PutVarint(part.Points);
+    PutStream(out, part.Merges);
+    PutStream(out, part.Map);
+    PutStream(out, part.Dependencies);
+  }
+}
+
+/** Reads the parts of a table that has the numbers of merges. */
+std::vector<TreePart> GetParts(
+  ByteReader& in, const TreeTable& tree, const MetaTable& meta, bool isSurface)
+{
+  std::vector<TreePart> parts(in.GetCount(1));
+  Check(parts.empty() || parts.size() == tree.Levels.size() + 1,
+    "there are not as many parts of the merges as meshes");
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    TreePart& part = parts[i];
+    part.Points = GetSmall(in);
+    part.Merges = GetStream(in);
+    part.Map = GetStream(in);
+    part.Dependencies = GetStream(in);
+    Check(i > 0 ? part.Points <= meta.Points - tree.GetFirstMerge(i)
+                : part.Points == CountMergeablePoints(meta, isSurface),
+      "the points that may be merged are not those of the mesh");
+    Check(tree.GetMergesOfPart(i) <= part.Points, "there are more merges than points");
+    Check((tree.GetMergesOfPart(i) > 0) == (part.Merges.Length > 0), "the merges have no stream");
+    Check((i + 1 < parts.size()) == (part.Map.Length > 0),
+      "the numbers of points in a base mesh have no stream");
+  }
+  return parts;
+}
+
 constexpr std::uint64_t RangeBytes = 16;
 }
 
@@ -49,7 +86,8 @@ Bytes TreeTable::Write() const
 {
   ByteWriter out;
   out.PutVarint(this->Merges);
-  PutStream(out, this->Stream);
+  PutMergeNumbers(out, this->Levels);
+  PutParts(out, this->Parts);
   PutMergeNumbers(out, this->MergeCounts);
   for (const auto& mergeCounts : this->Boxes)
   {
@@ -61,7 +99,6 @@ Bytes TreeTable::Write() const
       }
     }
   }
-  PutMergeNumbers(out, this->Levels);
   return Pack(out, SmallTable);
 }
 
@@ -75,8 +112,8 @@ TreeTable TreeTable::Read(std::span<const std::uint8_t> bytes, const MetaTable& 
   tree.Merges = GetSmall(in);
   Check(meta.Points < std::uint64_t{ 1 } << 32, "there are too many points for merges");
   Check(tree.Merges <= CountMergeablePoints(meta, isSurface), "there are more merges than points");
-  tree.Stream = GetStream(in);
-  Check((tree.Merges > 0) == (tree.Stream.Length > 0), "the merges have no stream");
+  tree.Levels = GetAscending(in, tree.Merges);
+  tree.Parts = GetParts(in, tree, meta, isSurface);
   tree.MergeCounts = GetAscending(in, tree.Merges);
   Check(tree.Merges == 0 || (!tree.MergeCounts.empty() && tree.MergeCounts.back() == tree.Merges),
     "the last merge count is not that of all merges");
@@ -94,7 +131,6 @@ TreeTable TreeTable::Read(std::span<const std::uint8_t> bytes, const MetaTable& 
       }
     }
   }
-  tree.Levels = GetAscending(in, tree.Merges);
   Check(in.GetRemaining() == 0, "there are bytes behind the end of the table");
   return tree;
 }

@@ -20,13 +20,28 @@ namespace gatun
  * that no cell has may be merged, such as one of a seam in a base mesh. */
 std::uint32_t CountMergeablePoints(const MetaTable& meta, bool isSurface);
 
+/** Where merges are that lead from a mesh to its first base mesh, or from one base mesh to the next
+ * one; the last part has all the others. */
+struct TreePart
+{
+  std::uint32_t Points = 0; ///< that merges may be about, the first ones of the mesh
+  StreamRef Merges;         ///< in the numbers of the mesh
+  StreamRef Map;            ///< the numbers of the points that are left in the next base mesh
+  StreamRef Dependencies;   ///< of these and all later merges on these; none if nothing is stored
+};
+
 /** The merge tree and the bounds of chunks after merges. */
 struct TreeTable
 {
   static constexpr std::size_t MaxMergeCounts = 64;
 
   std::uint32_t Merges = 0;
-  StreamRef Stream;
+
+  /** The number of merges that lead to each base mesh, ascending. */
+  std::vector<std::uint32_t> Levels;
+
+  /** One more than base meshes. In a base mesh none: they are those of the whole file. */
+  std::vector<TreePart> Parts;
 
   /** Numbers of merges, ascending. The last one is the number of all merges. */
   std::vector<std::uint32_t> MergeCounts;
@@ -36,8 +51,16 @@ struct TreeTable
    */
   std::vector<std::vector<Bounds>> Boxes;
 
-  /** The number of merges that lead to each base mesh, ascending. */
-  std::vector<std::uint32_t> Levels;
+  /** The number of merges before a part and of those that it has. */
+  std::uint32_t GetFirstMerge(std::size_t part) const
+  {
+    return part == 0 ? 0 : this->Levels[part - 1];
+  }
+  std::uint32_t GetMergesOfPart(std::size_t part) const
+  {
+    return (part < this->Levels.size() ? this->Levels[part] : this->Merges) -
+      this->GetFirstMerge(part);
+  }
 
   Bytes Write() const;
   static TreeTable Read(std::span<const std::uint8_t> bytes, const MetaTable& meta,

@@ -363,6 +363,46 @@ std::vector<std::uint32_t> Reduce(const MergeDependencies& all, std::size_t merg
 }
 
 //------------------------------------------------------------------------------
+MergeDependencies SelectDependencies(
+  const MergeDependencies& all, std::uint32_t first, std::uint32_t end)
+{
+  MergeDependencies selected;
+  for (std::size_t merge = first; merge < all.GetNumberOfMerges(); ++merge)
+  {
+    auto earlier = Reduce(all, merge);
+    std::erase_if(earlier, [=](std::uint32_t one) { return one < first || one >= end; });
+    for (auto& one : earlier)
+    {
+      one -= first;
+    }
+    selected.Add(earlier);
+  }
+  return selected;
+}
+
+//------------------------------------------------------------------------------
+MergeDependencies JoinDependencies(
+  const MergeDependencies& onFirst, std::uint32_t merges, const MergeDependencies& rest)
+{
+  MergeDependencies joined;
+  std::vector<std::uint32_t> earlier;
+  for (std::size_t merge = 0; merge < onFirst.GetNumberOfMerges(); ++merge)
+  {
+    const auto first = onFirst.Get(merge);
+    earlier.assign(first.begin(), first.end());
+    if (merge >= merges)
+    {
+      for (const auto one : rest.Get(merge - merges))
+      {
+        earlier.push_back(one + merges);
+      }
+    }
+    joined.Add(earlier);
+  }
+  return joined;
+}
+
+//------------------------------------------------------------------------------
 Bytes EncodeDependencies(const MergeTree& tree, const MergeDependencies& dependencies,
   const std::function<bool(double)>& progress)
 {

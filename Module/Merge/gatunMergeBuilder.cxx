@@ -7,6 +7,8 @@
 #include "gatunMergeOrder.h"
 #include "gatunTetRounds.h"
 
+#include <utility>
+
 namespace gatun
 {
 template class MergeRounds<MergeMesh, MergeCosts<0>>;
@@ -15,15 +17,17 @@ template class MergeRounds<MergeMesh, MergeCosts<1>>;
 namespace
 {
 template <std::size_t NumberOfFields>
-std::vector<Merge> FindMerges(const MergeInput& input, const MergeSettings& settings,
+MergeTree FindMerges(const LocalMergeInput<4>& local, const MergeSettings& settings,
   const std::function<bool(double)>& progress)
 {
   using Costs = MergeCosts<NumberOfFields>;
+  const MergeInput& input = local.Get();
   MergeMesh mesh(input.Points.size(), input.Cells);
   const MergeFields fields(mesh, input);
   const auto workers = MakeMergeWorkers<Costs>(mesh, fields, settings);
-  return MergeRounds<MergeMesh, Costs>(mesh, workers, input.IsKept, progress, settings.PartAtOnce)
-    .Run();
+  MergeRounds<MergeMesh, Costs> rounds(mesh, workers, input.IsKept, progress, settings.PartAtOnce);
+  auto merged = rounds.Run();
+  return local.MakeTree(std::move(merged.Merges), {}, std::move(merged.Groups));
 }
 }
 
@@ -35,8 +39,7 @@ MergeTree BuildMergeTree(const MergeInput& input, const MergeSettings& settings,
   CheckMergeSettings(settings);
   const LocalMergeInput<4> local(input);
   // One field, which is frequent, is faster if its loops are known when they are compiled.
-  auto merges = input.Fields.size() == 1 ? FindMerges<1>(local.Get(), settings, progress)
-                                         : FindMerges<0>(local.Get(), settings, progress);
-  return local.MakeTree(std::move(merges));
+  return input.Fields.size() == 1 ? FindMerges<1>(local, settings, progress)
+                                  : FindMerges<0>(local, settings, progress);
 }
 }

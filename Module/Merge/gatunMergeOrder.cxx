@@ -170,14 +170,15 @@ void LocalMergeInput<Corners>::OrderCells(const Input& input)
 //------------------------------------------------------------------------------
 template <std::size_t Corners>
 MergeTree LocalMergeInput<Corners>::MakeTree(
-  std::vector<Merge> merges, std::vector<bool> isBound) const
+  std::vector<Merge> merges, std::vector<bool> isBound, std::vector<std::uint32_t> rounds) const
 {
   for (Merge& merge : merges)
   {
     merge.Point = this->Ids[merge.Point];
     merge.Into = this->Ids[merge.Into];
   }
-  return { static_cast<std::uint32_t>(this->Ids.size()), std::move(merges), std::move(isBound) };
+  return { static_cast<std::uint32_t>(this->Ids.size()), std::move(merges), std::move(isBound),
+    std::move(rounds) };
 }
 
 template std::vector<std::uint32_t> OrderByLowestPoint<4>(

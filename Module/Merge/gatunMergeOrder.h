@@ -40,8 +40,10 @@ public:
   /** Valid as long as this object exists. */
   const Input& Get() const { return this->Local; }
 
-  /** Makes a tree for the given mesh from merges of the sorted points. isBound: see MergeTree. */
-  MergeTree MakeTree(std::vector<Merge> merges, std::vector<bool> isBound = {}) const;
+  /** Makes a tree for the given mesh from merges of the sorted points. isBound, rounds: see
+   * MergeTree. */
+  MergeTree MakeTree(
+    std::vector<Merge> merges, std::vector<bool> isBound, std::vector<std::uint32_t> rounds) const;
 
 private:
   void OrderCells(const Input& input);

@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace gatun
 {
@@ -21,10 +24,12 @@ float RoundUp(float error)
 }
 
 //------------------------------------------------------------------------------
-MergeTree::MergeTree(std::uint32_t points, std::vector<Merge> merges, std::vector<bool> isBound)
+MergeTree::MergeTree(std::uint32_t points, std::vector<Merge> merges, std::vector<bool> isBound,
+  std::vector<std::uint32_t> rounds)
   : Points(points)
   , Merges(std::move(merges))
   , IsBound(std::move(isBound))
+  , Rounds(std::move(rounds))
 {
   if (!this->IsBound.empty() &&
     (this->IsBound.size() != this->Merges.size() || this->IsBound.back()))
@@ -45,6 +50,42 @@ MergeTree::MergeTree(std::uint32_t points, std::vector<Merge> merges, std::vecto
     largest = std::max(largest, RoundUp(merge.Error));
     merge.Error = largest;
   }
+  this->CheckRounds();
+  // From the last one on: each round begins where the errors of the next one are right.
+  auto end = this->Merges.end();
+  for (auto round = this->Rounds.rbegin(); round != this->Rounds.rend(); ++round)
+  {
+    const auto first = this->Merges.begin() + *round;
+    std::for_each(
+      first, end, [error = std::prev(end)->Error](Merge& merge) { merge.Error = error; });
+    end = first;
+  }
+}
+
+//------------------------------------------------------------------------------
+void MergeTree::CheckRounds() const
+{
+  const auto& rounds = this->Rounds;
+  const bool isRight = rounds.empty() ||
+    (rounds.front() == 0 && rounds.back() < this->Merges.size() &&
+      std::adjacent_find(rounds.begin(), rounds.end(), std::greater_equal()) == rounds.end() &&
+      std::all_of(rounds.begin(), rounds.end(),
+        [this](std::uint32_t first) { return this->CountWholeMerges(first) == first; }));
+  if (!isRight)
+  {
+    throw Error(ErrorCode::InvalidInput, "the rounds of merges do not follow from each other");
+  }
+}
+
+//------------------------------------------------------------------------------
+std::size_t MergeTree::CountMergesOfRounds(std::size_t merges) const
+{
+  if (this->Rounds.empty() || merges >= this->Merges.size())
+  {
+    return this->CountWholeMerges(merges);
+  }
+  const auto next = std::upper_bound(this->Rounds.begin(), this->Rounds.end(), merges);
+  return *std::prev(next);
 }
 
 //------------------------------------------------------------------------------
@@ -86,5 +127,54 @@ std::vector<std::uint32_t> MergeTree::FindAncestors(std::size_t merges) const
     ancestors[merge.Point] = ancestors[merge.Into];
   }
   return ancestors;
+}
+
+//------------------------------------------------------------------------------
+MergeTree SortRounds(const MergeTree& tree, std::span<const std::uint32_t> numbers,
+  std::span<const std::uint32_t> ends)
+{
+  const auto& all = tree.GetMerges();
+  const auto& isBound = tree.GetBonds();
+  if (tree.GetRounds().empty())
+  {
+    return tree;
+  }
+  std::vector<std::uint32_t> rounds;
+  std::set_union(tree.GetRounds().begin(), tree.GetRounds().end(), ends.begin(), ends.end(),
+    std::back_inserter(rounds));
+  std::vector<Merge> merges;
+  std::vector<bool> bonds;
+  merges.reserve(all.size());
+  bonds.reserve(isBound.size());
+  std::vector<std::uint32_t> groups; // the first merges of those that belong together
+  for (std::size_t round = 0; round < rounds.size(); ++round)
+  {
+    const auto end = round + 1 < rounds.size() ? rounds[round + 1] : all.size();
+    groups.clear();
+    for (auto i = rounds[round]; i < end; ++i)
+    {
+      if (i == rounds[round] || isBound.empty() || !isBound[i - 1])
+      {
+        groups.push_back(i);
+      }
+    }
+    std::sort(groups.begin(), groups.end(),
+      [&](std::uint32_t a, std::uint32_t b)
+      { return numbers[all[a].Point] < numbers[all[b].Point]; });
+    for (auto merge : groups)
+    {
+      bool goesOn = true;
+      for (; goesOn; ++merge)
+      {
+        goesOn = !isBound.empty() && isBound[merge];
+        merges.push_back(all[merge]);
+        if (!isBound.empty())
+        {
+          bonds.push_back(goesOn);
+        }
+      }
+    }
+  }
+  return { tree.GetNumberOfPoints(), std::move(merges), std::move(bonds), tree.GetRounds() };
 }
 }

@@ -42,14 +42,26 @@ public:
    * eight significant bits, the precision of files.
    *
    * isBound: for each merge, whether the next one belongs to it, such as that of the other point of
-   * a seam. Empty: none. Its size must be that of merges, and the last element must be false. */
-  MergeTree(std::uint32_t points, std::vector<Merge> merges, std::vector<bool> isBound = {});
+   * a seam. Empty: none. Its size must be that of merges, and the last element must be false.
+   *
+   * rounds: the number of the first merge of each round, ascending from 0. The merges of a round
+   * may be done in any order, but those that belong together follow each other. All get the
+   * largest error of the round. Empty: nothing is known about that. */
+  MergeTree(std::uint32_t points, std::vector<Merge> merges, std::vector<bool> isBound = {},
+    std::vector<std::uint32_t> rounds = {});
 
   std::uint32_t GetNumberOfPoints() const { return this->Points; }
   const std::vector<Merge>& GetMerges() const { return this->Merges; }
 
   /** For each merge, whether the next one belongs to it. Empty: none. */
   const std::vector<bool>& GetBonds() const { return this->IsBound; }
+
+  /** The first merge of each round. Empty: unknown. */
+  const std::vector<std::uint32_t>& GetRounds() const { return this->Rounds; }
+
+  /** Returns the largest number of merges, not above a given one, that separates no merges of a
+   * round, nor such that belong together. */
+  std::size_t CountMergesOfRounds(std::size_t merges) const;
 
   /** Returns the largest number of merges, not above a given one, that separates no merges that
    * belong together. Otherwise seams of a surface would open. */
@@ -71,10 +83,19 @@ public:
   std::vector<std::uint32_t> FindAncestors(std::size_t merges) const;
 
 private:
+  void CheckRounds() const;
+
   std::uint32_t Points = 0;
   std::vector<Merge> Merges;
   std::vector<bool> IsBound;
+  std::vector<std::uint32_t> Rounds;
 };
+
+/** Sorts the merges of each round by the numbers of their points. Those that belong together stay
+ * together, and are sorted by the first one. numbers: of each point. ends: numbers of merges,
+ * ascending; none that is before one of them gets behind it. */
+GATUN_EXPORT MergeTree SortRounds(const MergeTree& tree, std::span<const std::uint32_t> numbers,
+  std::span<const std::uint32_t> ends = {});
 
 /** Replaces corners by their ancestors. Returns false if the tetrahedron vanishes. */
 inline bool Simplify(MergeTree::Tet& tet, std::span<const std::uint32_t> ancestors)

@@ -21,6 +21,7 @@ FileReader::Internals::Internals(std::shared_ptr<const ByteSource> source, const
   : File(std::move(source), name)
 {
   this->Read();
+  this->RequireMerges();
   if (!this->Masks.empty() && this->Series.empty())
   {
     this->File.Fail(ErrorCode::Corrupt, "it does not say which time steps have some cells only");
@@ -38,15 +39,18 @@ FileReader::Internals::Internals(
   }
 }
 
-FileReader::Internals::Internals(const Internals& whole, std::size_t level)
-  : Internals(whole, whole.Levels.at(level), GetLevelName(level))
+FileReader::Internals::Internals(std::shared_ptr<const Internals> whole, std::size_t level)
+  : Internals(*whole, whole->Levels.at(level), GetLevelName(level))
 {
-  this->CheckLevel(whole, level);
+  this->CheckLevel(*whole, level);
+  this->Whole = std::move(whole);
+  this->Part = level + 1;
 }
 
 FileReader::Internals::Internals(const Internals& whole, const StreamRef& boundary)
   : Internals(whole, boundary, BoundaryName)
 {
+  this->RequireMerges();
   this->CheckBoundary(whole);
 }
 

@@ -10,6 +10,7 @@
 #include "gatunGeometry.h"
 #include "gatunInputFile.h"
 #include "gatunLayers.h"
+#include "gatunMergeDependencies.h"
 #include "gatunSeriesTable.h"
 #include "gatunTablePages.h"
 #include "gatunTreeTable.h"
@@ -29,7 +30,7 @@ public:
   Internals(std::shared_ptr<const ByteSource> source, const std::string& name);
 
   /** A base mesh of a file. */
-  Internals(const Internals& whole, std::size_t level);
+  Internals(std::shared_ptr<const Internals> whole, std::size_t level);
 
   /** The boundary in a file. */
   Internals(const Internals& whole, const StreamRef& boundary);
@@ -118,6 +119,11 @@ public:
   }
   static constexpr const char* BoundaryName = "the boundary";
 
+  /** The mesh that has the merges, and which it has of a part on. */
+  const Internals& GetOwnerOfMerges() const { return this->Whole ? *this->Whole : *this; }
+  MergeTree ReadMerges(std::size_t part) const;
+  MergeDependencies ReadDependencies(std::size_t part, const MergeTree& tree) const;
+
   InputFile File;
   MetaTable Meta;
   std::optional<CellTable> Cells; // if not all cells are tetrahedra
@@ -130,8 +136,9 @@ public:
   Layers LayersOfChunks;
   std::optional<TreeTable> Tree;
   std::vector<TreeStepTable> TreeSteps;
-  std::optional<StreamRef> Dependencies; // of the merges
   std::vector<StreamRef> Levels;
+  std::shared_ptr<const Internals> Whole; // of a base mesh: the file with the merges
+  std::size_t Part = 0;                   // of these merges, where those of this mesh begin
   std::optional<StreamRef> Boundary;
   std::vector<StreamRef> Meshes; // all but the first
   std::vector<StreamRef> Masks;  // of the cells of this mesh
@@ -158,6 +165,7 @@ private:
   void ReadSurface();
   void ReadLayers();
   void ReadTree();
+  void RequireMerges() const;
   void ReadBoundary();
   void CheckBoundary(const Internals& whole) const;
   void ReadSeries();

@@ -116,6 +116,7 @@ std::unique_ptr<FileReader::Internals> FileReader::Internals::MakeMesh(
 {
   std::unique_ptr<Internals> self(
     new Internals(whole, whole.Meshes.at(mesh - 1), "mesh " + std::to_string(mesh + 1)));
+  self->RequireMerges();
   const bool fits = self->ListedArrays == whole.ListedArrays && self->Meta.HasTime &&
     self->IsSurface == whole.IsSurface && self->HasStepsOf(whole.Stored, mesh);
   std::size_t masks = 0;

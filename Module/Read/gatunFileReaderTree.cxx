@@ -10,6 +10,9 @@
 #include "gatunMergeCodec.h"
 #include "gatunMergeDependencies.h"
 
+#include <algorithm>
+#include <cstddef>
+
 namespace gatun
 {
 namespace
@@ -17,6 +20,7 @@ namespace
 constexpr const char* TreeName = "the table of merges";
 constexpr const char* TreeStepName = "the ranges after merges";
 constexpr const char* MergesName = "the stream of merges";
+constexpr const char* MapName = "the numbers of points in a base mesh";
 constexpr const char* DependenciesName = "the dependencies of merges";
 
 /** The merge count of a number of merges. Throws if the file has fewer merges. */
@@ -74,14 +78,20 @@ void FileReader::Internals::ReadTree()
   {
     fail("the ranges after merges of some time steps are missing");
   }
-  if (!this->File.FindSections(SectionDependencies).empty())
-  {
-    this->Dependencies = this->File.FindSection(SectionDependencies, DependenciesName);
-  }
   this->Levels = this->File.FindSections(SectionLevel);
   if (this->Levels.size() != this->Tree->Levels.size())
   {
     fail("there are not as many base meshes as the file says");
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Throws if there is a tree without merges, as base meshes have it. */
+void FileReader::Internals::RequireMerges() const
+{
+  if (this->Tree && this->Tree->Parts.empty())
+  {
+    this->File.Fail(ErrorCode::Corrupt, "the merges of its tree are missing");
   }
 }
 
@@ -95,7 +105,9 @@ void FileReader::Internals::CheckLevel(const Internals& whole, std::size_t level
     this->Meta.CoordinateType == whole.Meta.CoordinateType &&
     this->Meta.Arrays == whole.Meta.Arrays && this->Meta.HasTime == whole.Meta.HasTime &&
     this->Times == whole.Times && this->Levels.empty() && !this->Boundary && this->Tree &&
-    this->IsSurface == whole.IsSurface && this->Tree->Merges == whole.Tree->Merges - merges;
+    this->IsSurface == whole.IsSurface && this->Tree->Merges == whole.Tree->Merges - merges &&
+    this->Tree->Parts.empty() &&
+    CountMergeablePoints(this->Meta, this->IsSurface) == whole.Tree->Parts[level + 1].Points;
   if (!fits)
   {
     this->File.Fail(ErrorCode::Corrupt, "it is not what is left of the mesh after its merges");
@@ -114,31 +126,89 @@ std::size_t FileReader::GetNumberOfMerges() const
   return this->HasMergeTree() ? this->Self->Tree->Merges : 0;
 }
 
+/** The merges of a mesh and all that follow, in the numbers of the mesh. */
+MergeTree FileReader::Internals::ReadMerges(std::size_t part) const
+{
+  const auto points =
+    static_cast<std::uint32_t>(this->Meta.Points - this->Tree->GetFirstMerge(part));
+  const TreePart& where = this->Tree->Parts[part];
+  MergeTree tree(points, {});
+  if (where.Merges.Length > 0)
+  {
+    tree = this->File.Guarded(MergesName, where.Merges,
+      [&]
+      {
+        return DecodeMerges(this->File.Read(where.Merges, MergesName), where.Points,
+          this->Tree->GetMergesOfPart(part),
+          this->IsSurface ? MergeKind::Surface : MergeKind::Tetrahedra);
+      });
+    if (where.Points != points) // others come last and are never merged
+    {
+      tree = MergeTree(points, tree.GetMerges());
+    }
+  }
+  if (where.Map.Length == 0)
+  {
+    return tree;
+  }
+  const MergeTree rest = this->ReadMerges(part + 1);
+  return this->File.Guarded(MapName, where.Map,
+    [&]
+    {
+      const auto map =
+        DecodePointMap(this->File.Read(where.Map, MapName), rest.GetNumberOfPoints());
+      return JoinMerges(tree, rest, map);
+    });
+}
+
+//------------------------------------------------------------------------------
+/** The dependencies of these merges. tree: ReadMerges(part). */
+MergeDependencies FileReader::Internals::ReadDependencies(
+  std::size_t part, const MergeTree& tree) const
+{
+  const StreamRef& where = this->Tree->Parts[part].Dependencies;
+  if (where.Length == 0) // no merges
+  {
+    return {};
+  }
+  auto dependencies = this->File.Guarded(DependenciesName, where,
+    [&] { return DecodeDependencies(this->File.Read(where, DependenciesName), tree); });
+  if (part + 1 == this->Tree->Parts.size())
+  {
+    return dependencies;
+  }
+  return JoinDependencies(dependencies, this->Tree->GetMergesOfPart(part),
+    this->ReadDependencies(part + 1, this->ReadMerges(part + 1)));
+}
+
 //------------------------------------------------------------------------------
 MergeTree FileReader::GetMergeTree() const
 {
-  const auto points = static_cast<std::uint32_t>(this->GetNumberOfPoints());
   if (this->GetNumberOfMerges() == 0)
   {
-    return { points, {} };
+    return { static_cast<std::uint32_t>(this->GetNumberOfPoints()), {} };
   }
-  const auto& where = this->Self->Tree->Stream;
-  return this->Self->File.Guarded(MergesName, where,
-    [&]
-    {
-      // Unused points come last and are never merged, but those of surfaces.
-      const bool isSurface = this->IsSurface();
-      const auto used = CountMergeablePoints(this->Self->Meta, isSurface);
-      auto tree = DecodeMerges(this->Self->File.Read(where, MergesName), used,
-        this->Self->Tree->Merges, isSurface ? MergeKind::Surface : MergeKind::Tetrahedra);
-      return used == points ? tree : MergeTree(points, tree.GetMerges());
-    });
+  const Internals& owner = this->Self->GetOwnerOfMerges();
+  std::vector<StreamRef> streams;
+  for (auto part = this->Self->Part; part < owner.Tree->Parts.size(); ++part)
+  {
+    streams.push_back(owner.Tree->Parts[part].Merges);
+    streams.push_back(owner.Tree->Parts[part].Map);
+  }
+  std::erase_if(streams, [](const StreamRef& stream) { return stream.Length == 0; });
+  MergeTree tree;
+  owner.File.ReadTogether(streams, [&] { tree = owner.ReadMerges(this->Self->Part); });
+  return tree;
 }
 
 //------------------------------------------------------------------------------
 bool FileReader::HasDependencies() const
 {
-  return this->Self->Dependencies.has_value();
+  const auto& tree = this->Self->GetOwnerOfMerges().Tree;
+  return tree && this->GetNumberOfMerges() > 0 &&
+    std::all_of(tree->Parts.begin() + static_cast<std::ptrdiff_t>(this->Self->Part),
+      tree->Parts.end(),
+      [](const TreePart& part) { return part.Merges.Length == 0 || part.Dependencies.Length > 0; });
 }
 
 //------------------------------------------------------------------------------
@@ -153,9 +223,7 @@ MergeDependencies FileReader::ReadDependencies(const MergeTree& tree) const
   {
     ThrowInvalid("the tree of merges is not that of the file", this->GetPath());
   }
-  const StreamRef& where = *this->Self->Dependencies;
-  return this->Self->File.Guarded(DependenciesName, where,
-    [&] { return DecodeDependencies(this->Self->File.Read(where, DependenciesName), tree); });
+  return this->Self->GetOwnerOfMerges().ReadDependencies(this->Self->Part, tree);
 }
 
 //------------------------------------------------------------------------------
@@ -170,7 +238,7 @@ std::shared_ptr<const FileReader> FileReader::OpenLevel(std::size_t level) const
 {
   CheckLevelNumber(*this, level);
   return std::shared_ptr<const FileReader>(
-    new FileReader(std::make_unique<Internals>(*this->Self, level)));
+    new FileReader(std::make_unique<Internals>(this->Self, level)));
 }
 
 //------------------------------------------------------------------------------

@@ -186,6 +186,16 @@ std::shared_ptr<const MergeDependencies> SharedFile::GetDependencies(
 }
 
 //------------------------------------------------------------------------------
+bool SharedFile::MayHaveDependencies(std::size_t level)
+{
+  const std::lock_guard<std::mutex> lock(this->LevelGuard);
+  this->Open(level);
+  const FileReader& file = *this->Levels[level].File;
+  return file.HasDependencies() ||
+    (file.IsSurface() ? file.GetNumberOfCells() : file.GetNumberOfTets()) <= MostDecoded;
+}
+
+//------------------------------------------------------------------------------
 SharedFile::Place SharedFile::Find(std::size_t merges, bool withBaseMeshes)
 {
   const std::lock_guard<std::mutex> lock(this->LevelGuard);

@@ -94,6 +94,9 @@ public:
   std::shared_ptr<const MergeDependencies> GetDependencies(
     const FileReader& file, const std::function<bool(double)>& progress = {});
 
+  /** Whether GetDependencies has a result for a level, unless no builder made its merges. */
+  bool MayHaveDependencies(std::size_t level);
+
   /** The approximate number of tetrahedra, or cells of a surface, after a number of merges. */
   std::uint64_t EstimateCells(std::size_t merges) const;
 

@@ -24,7 +24,6 @@ gatun_core_folder(Write
     gatunBaseMesh.h
     gatunBoundaryMesh.h
     gatunCellSubset.h
-    gatunDependencySection.h
     gatunFileWriterInternals.h
     gatunMeshSection.h
     gatunOrientation.h
@@ -51,9 +50,9 @@ gatun_core_folder(Write
     gatunBaseMesh.cxx
     gatunBoundaryMesh.cxx
     gatunCellSubset.cxx
-    gatunDependencySection.cxx
     gatunFileWriter.cxx
     gatunFileWriterSeries.cxx
+    gatunFileWriterTree.cxx
     gatunMeshMerges.cxx
     gatunMeshSection.cxx
     gatunOrientation.cxx

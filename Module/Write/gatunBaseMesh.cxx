@@ -7,30 +7,12 @@
 #include "gatunGatherTuples.h"
 #include "gatunMeshTets.h"
 
-#include <algorithm>
 #include <span>
 
 namespace gatun
 {
 namespace
 {
-/** The merges after the first ones. places: the numbers of the remaining points. */
-MergeTree MakeRest(const MergeTree& tree, std::size_t merges,
-  const std::vector<std::uint32_t>& places, std::size_t points)
-{
-  std::vector<Merge> rest(
-    tree.GetMerges().begin() + static_cast<std::ptrdiff_t>(merges), tree.GetMerges().end());
-  for (Merge& merge : rest)
-  {
-    merge.Point = places[merge.Point];
-    merge.Into = places[merge.Into];
-  }
-  std::vector<bool> isBound(tree.GetBonds());
-  isBound.erase(isBound.begin(),
-    isBound.begin() + static_cast<std::ptrdiff_t>(std::min(merges, isBound.size())));
-  return { static_cast<std::uint32_t>(points), std::move(rest), std::move(isBound) };
-}
-
 /** Calls use(cell, type, corners) for each tetrahedron of a mesh, or for each cell of a surface. */
 template <typename Use>
 void ForEachCell(const MeshAccess& mesh, PieceForm form, Use&& use)
@@ -86,7 +68,6 @@ BaseMesh::BaseMesh(
   this->MakeCells(cells);
   this->Coordinates =
     this->Gather(input.Coordinates, Association::Point, 3 * SizeOf(this->CoordinateType));
-  this->Tree = MakeRest(tree, merges, places, this->Points.size());
 }
 
 //------------------------------------------------------------------------------

@@ -26,8 +26,8 @@ public:
   /** Valid during the lifetime of this object. */
   MeshInput GetInput() const;
 
-  /** The remaining merges, in the numbers of the remaining points. */
-  const MergeTree& GetTree() const { return this->Tree; }
+  /** The points that remain, in the order that they have here. */
+  const std::vector<std::uint32_t>& GetPoints() const { return this->Points; }
 
   /** The tuples of the remaining points, or of the cells that remain. */
   Bytes Gather(const void* values, Association where, std::size_t tupleBytes) const;
@@ -43,7 +43,6 @@ private:
   Bytes Connectivity;
   Bytes Offsets; // unless all are tetrahedra
   std::vector<std::uint8_t> Types;
-  MergeTree Tree;
 };
 }
 

@@ -3,7 +3,6 @@
 
 #include "gatunFileWriter.h"
 
-#include "gatunDependencySection.h"
 #include "gatunDomainSurvey.h"
 #include "gatunFileReader.h"
 #include "gatunFileReaderInternals.h"
@@ -64,6 +63,22 @@ std::vector<ArrayDescription> ListArrays(
 //------------------------------------------------------------------------------
 void FileWriter::Internals::Begin(const Progress& progress)
 {
+  this->BeginMesh(progress);
+  if (this->State.Options.Tree) // it needs the order of the points in all chunks
+  {
+    this->WriteMesh(progress);
+    this->BeginLevels(progress);
+    this->BeginTrees(progress);
+  }
+  if (this->Boundary)
+  {
+    this->WriteBoundary(progress);
+  }
+}
+
+//------------------------------------------------------------------------------
+void FileWriter::Internals::BeginMesh(const Progress& progress)
+{
   this->State.Describe(this->Part.Mesh);
   this->Mesh.MakeLayout(this->Part, progress);
   if (this->State.Options.Boundary)
@@ -79,25 +94,6 @@ void FileWriter::Internals::Begin(const Progress& progress)
   this->Part.PlaceShared(this->State.Table, this->Part.Layout.SharedPoints);
   this->Part.Layout.SharedPoints = {};
   this->FindDomains();
-  if (this->State.Options.Tree) // it needs the order of the points in all chunks
-  {
-    std::optional<DependencySection> dependencies;
-    if (this->State.Options.Dependencies && !this->State.Options.Tree->GetMerges().empty())
-    {
-      dependencies.emplace(this->State, this->Part);
-    }
-    this->WriteMesh(progress);
-    this->BeginTree();
-    this->BeginLevels(progress);
-    if (dependencies)
-    {
-      dependencies->Write(this->Tree->GetTree(), progress);
-    }
-  }
-  if (this->Boundary)
-  {
-    this->WriteBoundary(progress);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -105,33 +101,6 @@ void FileWriter::Internals::WriteMesh(const Progress& progress)
 {
   this->Mesh.Write(this->Part, progress);
   this->IsMeshWritten = true;
-}
-
-//------------------------------------------------------------------------------
-/** Writes the merges in the numbers of the file, when the mesh has been written. */
-void FileWriter::Internals::BeginTree()
-{
-  auto places = FindFileNumbers(this->State, this->Part, this->State.Table.GetSharedPoints());
-  auto next = static_cast<std::uint32_t>(this->State.Meta.Points - this->State.Meta.UnusedPoints);
-  for (const auto point : this->Part.Layout.UnusedPoints)
-  {
-    places[point] = next++;
-  }
-  const MergeTree& tree = *this->State.Options.Tree;
-  auto merges = tree.GetMerges();
-  for (Merge& merge : merges)
-  {
-    merge.Point = places[merge.Point];
-    merge.Into = places[merge.Into];
-  }
-  this->PointOrder = InvertOrder(places);
-  this->Tree.emplace(this->State,
-    MergeTree(tree.GetNumberOfPoints(), std::move(merges), tree.GetBonds()),
-    [this](unsigned axis)
-    {
-      return [this, axis](std::uint32_t point)
-      { return ArrayInput::Finite(this->Part.Mesh.GetCoordinate(this->PointOrder[point], axis)); };
-    });
 }
 
 //------------------------------------------------------------------------------
@@ -152,15 +121,27 @@ void FileWriter::Internals::FindDomains()
 void FileWriter::Internals::BeginLevels(const Progress& progress)
 {
   const auto& options = this->State.Options;
+  for (const auto merges : options.LevelMerges)
+  {
+    this->Levels.push_back(this->MakeLevel(merges, progress));
+    this->Merges.push_back(merges);
+  }
+  if (!options.LevelMerges.empty())
+  {
+    return;
+  }
   const auto countCells = [](const WriterState& state)
   { return state.Options.IsSurface ? state.NumberOfCells : state.Meta.Tets; };
   std::uint64_t cells = countCells(this->State);
+  // Finer base meshes take much room, and are not read much faster than the whole mesh. Surfaces
+  // are drawn as they are.
   std::uint64_t points = this->State.Meta.Points;
+  points = options.IsSurface ? points : (points + 3) / 4;
   for (unsigned i = 0; i < options.Levels && cells > SmallLevel; ++i)
   {
     points = (points + 1) / 2;
     const auto merges = static_cast<std::uint32_t>(
-      options.Tree->CountWholeMerges(options.Tree->CountMergesForPoints(points)));
+      options.Tree->CountMergesOfRounds(options.Tree->CountMergesForPoints(points)));
     if (merges == 0 || (!this->Merges.empty() && merges <= this->Merges.back()))
     {
       return;
@@ -184,9 +165,10 @@ std::unique_ptr<FileWriter::Internals::Level> FileWriter::Internals::MakeLevel(
   WriterOptions& options = level->Options;
   options.Keep = KeepNone;
   options.Levels = 0;
+  options.LevelMerges.clear();
   options.Boundary = false;
-  options.Tree = &level->Mesh.GetTree();
-  Bytes layerValues; // needed until the mesh has been written
+  options.Tree = nullptr; // it follows when all base meshes are known
+  Bytes layerValues;      // needed until the mesh has been written
   if (options.Layers)
   {
     const auto& array = this->State.Meta.Arrays[options.Layers->Array];
@@ -195,7 +177,8 @@ std::unique_ptr<FileWriter::Internals::Level> FileWriter::Internals::MakeLevel(
     options.Layers->Values = layerValues.data();
   }
   level->File = std::make_unique<Internals>(*this, level->Mesh.GetInput(), options);
-  level->File->Begin([&](double) { return !progress || progress(1); });
+  level->File->BeginMesh([&](double) { return !progress || progress(1); });
+  level->File->WriteMesh([&](double) { return !progress || progress(1); });
   return level;
 }
 
@@ -211,6 +194,7 @@ void FileWriter::Internals::WriteBoundary(const Progress& progress)
   options.Keep = KeepNone;
   options.Tree = this->Boundary->Tree ? &*this->Boundary->Tree : nullptr;
   options.Levels = 0;
+  options.LevelMerges.clear();
   options.Layers.reset();
   options.Boundary = false;
   options.IsSurface = true;

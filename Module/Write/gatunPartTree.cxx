@@ -185,6 +185,7 @@ void PartTree::Write(const std::function<bool(double)>& progress)
 {
   TreeSection section(this->State, this->Merges.Build(progress),
     [this](unsigned axis) { return this->ReadColumn(axis); });
+  section.AddPart(section, section.GetTree().GetMerges().size());
   for (std::size_t step = 0; step < this->Steps; ++step)
   {
     section.AddStep([&](std::size_t array, std::size_t range)

@@ -21,10 +21,6 @@ TreeSection::TreeSection(
   this->Tree.Merges = static_cast<std::uint32_t>(this->Layout.GetTree().GetMerges().size());
   this->Tree.MergeCounts = this->Layout.GetMergeCounts();
   this->FindBoxes(getCoordinates);
-  if (this->Tree.Merges > 0)
-  {
-    this->WriteMerges();
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -46,23 +42,43 @@ void TreeSection::FindBoxes(const std::function<GetValue(unsigned axis)>& getCoo
 }
 
 //------------------------------------------------------------------------------
-void TreeSection::WriteMerges()
+void TreeSection::AddPart(
+  const TreeSection& mesh, std::size_t merges, std::span<const std::uint32_t> map)
 {
-  StreamBatch batch;
-  const bool isSurface = this->State.Options.IsSurface;
-  const auto mergeable = CountMergeablePoints(this->State.Meta, isSurface);
-  const auto used = this->State.Meta.Points - this->State.Meta.UnusedPoints;
-  const auto& merges = this->Layout.GetTree().GetMerges();
-  if (std::any_of(merges.begin(), merges.end(),
-        [=](const auto& merge) { return merge.Point >= mergeable || merge.Into >= used; }))
+  const bool isSurface = mesh.State.Options.IsSurface;
+  const auto& meta = mesh.State.Meta;
+  const auto used = meta.Points - meta.UnusedPoints;
+  TreePart part;
+  part.Points = CountMergeablePoints(meta, isSurface);
+  const auto& all = mesh.GetTree().GetMerges();
+  if (std::any_of(all.begin(), all.end(),
+        [&](const auto& merge) { return merge.Point >= part.Points || merge.Into >= used; }))
   {
     ThrowInvalid("the tree merges points that no cell has");
   }
-  const auto stream = EncodeMerges(
-    this->Layout.GetTree(), mergeable, isSurface ? MergeKind::Surface : MergeKind::Tetrahedra);
-  batch.Add(stream, this->Tree.Stream);
-  this->State.Statistics.TreeBytes += stream.size();
+  StreamBatch batch;
+  if (merges > 0)
+  {
+    batch.Add(EncodeMerges(mesh.GetTree(), part.Points, merges,
+                isSurface ? MergeKind::Surface : MergeKind::Tetrahedra),
+      part.Merges);
+  }
+  if (!map.empty())
+  {
+    batch.Add(EncodePointMap(map), part.Map);
+  }
+  this->State.Statistics.TreeBytes += part.Merges.Length + part.Map.Length;
   batch.Write(this->State.File, SectionMerges, 0);
+  this->Tree.Parts.push_back(part);
+}
+
+//------------------------------------------------------------------------------
+void TreeSection::AddDependencies(std::size_t part, const Bytes& stream)
+{
+  StreamBatch batch;
+  batch.Add(stream, this->Tree.Parts[part].Dependencies);
+  this->State.Statistics.DependencyBytes += stream.size();
+  batch.Write(this->State.File, SectionDependencies, 0);
 }
 
 //------------------------------------------------------------------------------

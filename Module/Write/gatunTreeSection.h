@@ -13,20 +13,31 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace gatun
 {
-/** Writes the merge tree of a file: MERG and TREE sections, and a TRNG section for each step. */
+/** Writes the merge tree of a file: MERG, DEPS and TREE sections, and a TRNG section for each step.
+ */
 class TreeSection
 {
 public:
   using GetValue = TreeLayout::GetValue;
 
-  /** Writes the merges, when all of the mesh has been written. tree: in the numbers of the file.
-   * getCoordinates: those along an axis; NaN does not count. */
+  /** When all of the mesh has been written. tree: in the numbers of the file. getCoordinates: those
+   * along an axis; NaN does not count. */
   TreeSection(WriterState& state, MergeTree tree,
     const std::function<GetValue(unsigned axis)>& getCoordinates);
+
+  /** Writes the first merges of this file's tree, or those that lead from one base mesh to the next
+   * one. To be called for all of these meshes, in their order; not in a base mesh. mesh: of the
+   * file or the base mesh. map: the numbers in the next one of the points that are left. */
+  void AddPart(
+    const TreeSection& mesh, std::size_t merges, std::span<const std::uint32_t> map = {});
+
+  /** Writes what the merges of a part, and all later ones, depend on in this part. */
+  void AddDependencies(std::size_t part, const Bytes& stream);
 
   /** The merges in the numbers of the file. */
   const MergeTree& GetTree() const { return this->Layout.GetTree(); }
@@ -42,7 +53,6 @@ public:
 
 private:
   void FindBoxes(const std::function<GetValue(unsigned axis)>& getCoordinates);
-  void WriteMerges();
 
   WriterState& State;
   TreeLayout Layout;

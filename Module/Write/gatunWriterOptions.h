@@ -43,13 +43,19 @@ struct WriterOptions
   /** A merge tree of all points of the mesh, or null. It must exist until Finish has returned. */
   const MergeTree* Tree = nullptr;
 
-  /** Whether to store the dependencies between merges (MergeDependencies), also for base meshes and
-   * the boundary. Otherwise readers that need them decode the mesh. */
+  /** Whether to store the dependencies between merges (MergeDependencies), also for the boundary:
+   * some 3 bytes a point. Otherwise readers decode the mesh, or the finest base mesh of up to 4
+   * million tetrahedra. */
   bool Dependencies = false;
 
-  /** The maximum number of base meshes to store: with half of the points, a quarter and so on, down
-   * to some 20,000 tetrahedra or cells of a surface. Base meshes need a tree. */
+  /** The maximum number of base meshes to store: with an eighth of the points, or with half of those
+   * of a surface, and each further one with half, down to some 20,000 tetrahedra or cells of a
+   * surface. Base meshes need a tree. */
   unsigned Levels = 0;
+
+  /** If not empty, the numbers of merges that lead to base meshes, ascending, in place of Levels.
+   */
+  std::vector<std::uint32_t> LevelMerges;
 
   /** Whether to store the boundary of the mesh as a surface: the faces that only one cell has, and
    * the cells that are surfaces, lines and vertices, with all arrays and time steps. Not possible

@@ -38,7 +38,7 @@ void Decode(std::span<const std::uint8_t> stream, std::uint32_t points, std::uin
 {
   using namespace gatun;
   const auto tree = DecodeMerges(stream, points, merges, kind);
-  const auto again = DecodeMerges(EncodeMerges(tree, points, kind), points, merges, kind);
+  const auto again = DecodeMerges(EncodeMerges(tree, points, merges, kind), points, merges, kind);
   const auto& all = tree.GetMerges();
   if (all.size() != merges || tree.GetBonds() != again.GetBonds() ||
     !std::equal(all.begin(), all.end(), again.GetMerges().begin(), again.GetMerges().end(), IsSame))

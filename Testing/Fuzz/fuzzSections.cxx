@@ -144,7 +144,14 @@ public:
       return payloads;
     };
     this->Trees = read(SectionTree);
-    this->Streams = read(SectionMerges);
+    for (const auto name : { SectionMerges, SectionDependencies })
+    {
+      for (const auto& section : file.FindSections(name))
+      {
+        this->Places.push_back(section);
+        this->Streams.push_back(file.Read(section, "a section"));
+      }
+    }
     this->Steps = read(SectionTreeStep);
     this->Levels = read(SectionLevel);
   }
@@ -165,19 +172,24 @@ public:
     std::uint64_t offset = 0;
     std::memcpy(&offset, before.data() + before.size() - TrailerSize, sizeof(offset));
     auto trees = this->Trees;
-    if (!this->Streams.empty())
+    Bytes streams;
+    try
     {
-      try
+      auto tree = TreeTable::Read(trees[0], image.Meta, image.Mesh.Chunks.size());
+      for (TreePart& part : tree.Parts)
       {
-        auto tree = TreeTable::Read(trees[0], image.Meta, image.Mesh.Chunks.size());
-        const Bytes& stream = this->Streams[0];
-        tree.Stream = { offset, stream.size(), Checksum(stream) };
-        trees[0] = tree.Write();
+        for (StreamRef* where : { &part.Merges, &part.Map, &part.Dependencies })
+        {
+          const auto stream = this->FindStream(*where);
+          *where = { offset + streams.size(), stream.size(), Checksum(stream) };
+          streams.insert(streams.end(), stream.begin(), stream.end());
+        }
       }
-      catch (const Error&)
-      {
-        // Then it stays as it is.
-      }
+      trees[0] = tree.Write();
+    }
+    catch (const Error&)
+    {
+      // Then it stays as it is.
     }
     const auto add = [&](FourCC name, const std::vector<Bytes>& payloads)
     {
@@ -186,14 +198,31 @@ public:
         image.MoreSections.push_back({ name, payload, SectionVersion, 0 });
       }
     };
-    add(SectionMerges, this->Streams);
+    add(SectionMerges, { streams });
     add(SectionTree, trees);
     add(SectionTreeStep, this->Steps);
     add(SectionLevel, this->Levels);
   }
 
 private:
+  /** A stream of the file with the changes of its section. Empty if it is in none. */
+  Bytes FindStream(const StreamRef& where) const
+  {
+    for (std::size_t i = 0; i < this->Places.size(); ++i)
+    {
+      const auto first = where.Offset - this->Places[i].Offset;
+      if (where.Offset >= this->Places[i].Offset && first < this->Streams[i].size())
+      {
+        const auto begin = this->Streams[i].begin() + static_cast<std::ptrdiff_t>(first);
+        const auto length = std::min<std::uint64_t>(where.Length, this->Streams[i].size() - first);
+        return { begin, begin + static_cast<std::ptrdiff_t>(length) };
+      }
+    }
+    return {};
+  }
+
   std::vector<Bytes> Trees, Streams, Steps, Levels;
+  std::vector<StreamRef> Places; // of the streams' sections
 };
 
 /** A file with a change. Throws Error if its tables cannot be read. */

@@ -400,7 +400,8 @@ void AddMerges(Corpus& corpus, std::mt19937& random)
   out.Put(points);
   const bool isNarrow = points + 1 < 256;
   isNarrow ? out.Put(static_cast<std::uint8_t>(count)) : out.Put(count);
-  out.PutBytes(EncodeMerges(MergeTree(points, std::move(merges)), points));
+  out.PutBytes(
+    EncodeMerges(MergeTree(points, std::move(merges)), points, count, MergeKind::Tetrahedra));
   corpus.Add("Merges", out.Data);
 }
 

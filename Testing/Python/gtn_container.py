@@ -206,11 +206,11 @@ class Container:
         return Bytes(unpack(self.stream(reference), step_limit))
 
     def _read_tree(self, sections):
-        """Sections TREE, TRNG, DEPS and LEVL (13)."""
+        """Sections TREE, TRNG and LEVL (13)."""
         tree = read_tree(
             self._packed(sections, b"TREE"), self.meta, self.table, self.is_surface)
         contents = {name: [self._content(section) for section in sections if section.name == name]
-                    for name in (b"TRNG", b"DEPS", b"LEVL")}
+                    for name in (b"TRNG", b"LEVL")}
         require(len(contents[b"TRNG"]) == len(self.steps), "number of TRNG")
         require(len(contents[b"LEVL"]) == len(tree.levels), "number of LEVL")
         tree.ranges = [
@@ -218,8 +218,6 @@ class Container:
             for content in contents[b"TRNG"]
         ]
         tree.files = contents[b"LEVL"]
-        require(len(contents[b"DEPS"]) <= 1, "number of DEPS")
-        tree.dependencies = contents[b"DEPS"][0] if contents[b"DEPS"] else None
         self.tree = tree
 
     def _packed(self, sections, name):

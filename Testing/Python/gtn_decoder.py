@@ -23,13 +23,13 @@ from gtn_bytes import BINARY, BOUND, PALETTE, SHIFT, Bytes, FormatError, require
 from gtn_coding import (
     FLOAT32, FLOAT64, UINT32, UINT64, Decimals, Domain, Multiples, Shift)
 from gtn_container import Container
-from gtn_dependencies import decode_dependencies
+from gtn_dependencies import decode_all_dependencies
 from gtn_quadratic import Lists, find_block_neighbors
 from gtn_series import open_mesh
 from gtn_shapes import Shapes
 from gtn_steps import is_copy
 from gtn_tables import CELLS, KEEP_CELLS, KEEP_CORNERS, KEEP_POINTS, POINTS
-from gtn_tree import SimplerMesh, decode_merges, open_level
+from gtn_tree import SimplerMesh, decode_parts, open_level
 
 TYPES = {1: "<i1", 2: "<u1", 3: "<i2", 4: "<u2", 5: "<i4", 6: "<u4", 7: "<i8", 8: "<u8",
          FLOAT32: "<f4", FLOAT64: "<f8"}
@@ -41,7 +41,9 @@ class Decoder:
     one as far as the file keeps it.
     """
 
-    def __init__(self, data):
+    def __init__(self, data, whole=None, part=0):
+        """whole, part: of a base mesh, the decoder of its file, and the part of the merges that is
+        the first one of this mesh."""
         self.container = Container(data)
         self.meta, self.table = self.container.meta, self.container.table
         self.steps = self.container.steps
@@ -93,9 +95,12 @@ class Decoder:
         self._mesh_places.chunks = [
             [[key[axis] for key in chunk.walk.keys] for axis in range(3)] for chunk in self.chunks]
         self._decode_original_order()
-        self.bonds = []  # of a surface, for each merge
-        self.merges = self._decode_merges()
-        self.dependencies = self._decode_dependencies()
+        self.merges, self.bonds = [], []  # whether each merge is bound, of a surface
+        self.dependencies = None
+        if self.container.tree is not None:
+            require((whole is None) == bool(self.container.tree.parts), "parts of merges")
+            self.merges, self.bonds = decode_parts(whole or self, part)
+            self.dependencies = decode_all_dependencies(whole or self, part)
 
     # ----- The mesh
 
@@ -314,20 +319,9 @@ class Decoder:
         """Another mesh of a series, from 1, as a decoder of its own."""
         return open_mesh(self, number, Decoder)
 
-    def _decode_merges(self):
-        tree = self.container.tree
-        if tree is None or tree.merges == 0:
-            return []
-        is_surface = self.container.is_surface
-        points = self.meta.points - (0 if is_surface else self.meta.unused_points)
-        return decode_merges(
-            self._stream(tree.stream), points, tree.merges, self.bonds if is_surface else None)
-
-    def _decode_dependencies(self):
-        tree = self.container.tree
-        if tree is None or tree.dependencies is None:
-            return None
-        return decode_dependencies(tree.dependencies, self.meta.points, self.merges)
+    def stream(self, reference):
+        """The bytes of a stream, whose checksum is right."""
+        return self._stream(reference)
 
     # ----- Original order
 

@@ -8,6 +8,7 @@ Part of gtn_decoder, which is written from that text alone.
 
 from gtn_bytes import Bytes, require
 from gtn_coding import Coded, RunningSpread
+from gtn_tree import decode_parts
 
 TRIANGLE = 5
 MOST_NEAR = 8
@@ -101,6 +102,23 @@ class DependencyDecoder:
 def decode_dependencies(stream, points, merges):
     """Of each merge the earlier ones that it is said to depend on, ascending."""
     return DependencyDecoder(stream, points, merges).result
+
+
+def decode_all_dependencies(whole, first):
+    """Those of the merges from a part on, or None if they are not stored. whole: the decoder of the
+    file."""
+    parts = [part for part in whole.container.tree.parts[first:] if part.merges > 0]
+    if not parts or any(part.dependencies is None for part in parts):
+        return None
+    result = []
+    for i in reversed(range(len(parts))):
+        merges, _ = decode_parts(whole, first + i)
+        own = decode_dependencies(
+            whole.stream(parts[i].dependencies), parts[i].all_points, merges)
+        count = parts[i].merges
+        later = [[j + count for j in earlier] for earlier in result]
+        result = own[:count] + [a + b for a, b in zip(own[count:], later)]
+    return result
 
 
 def find_dependencies(cells, merges):

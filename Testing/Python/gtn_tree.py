@@ -13,7 +13,7 @@ from types import SimpleNamespace as Record
 import numpy as np
 
 from gtn_bytes import Bytes, require
-from gtn_coding import Coded, RunningSpread
+from gtn_coding import Coded
 from gtn_tables import POINTS
 
 MAX_MERGE_COUNTS = MAX_LEVELS = 64
@@ -27,8 +27,6 @@ def read_tree(table, meta, layout, is_surface):
     tree = Record(merges=table.varint())
     unused = 0 if is_surface else meta.unused_points
     require(tree.merges <= meta.points - unused, "more merges than points")
-    tree.stream = table.reference()
-    require((tree.stream is None) == (tree.merges == 0), "stream of merges")
 
     def ascending(most):
         count = table.varint()
@@ -38,10 +36,23 @@ def read_tree(table, meta, layout, is_surface):
         require(not numbers or numbers[-1] <= tree.merges, "number of merges")
         return numbers
 
+    tree.levels = ascending(MAX_LEVELS)
+    count = table.varint()
+    require(count in (0, len(tree.levels) + 1), "parts of merges")
+    limits = [0, *tree.levels, tree.merges]
+    tree.parts = []
+    for first, end in zip(limits[:count], limits[1:]):
+        part = Record(points=table.varint(), merges=end - first, all_points=meta.points - first)
+        part.stream, part.map, part.dependencies = (table.reference() for _ in range(3))
+        require(part.points == meta.points - unused if first == 0 else part.points <= part.all_points,
+                "points of a part")
+        require(part.merges <= part.points, "merges of a part")
+        require((part.stream is None) == (part.merges == 0), "stream of merges")
+        require((part.map is None) == (len(tree.parts) + 1 == count), "numbers of points")
+        tree.parts.append(part)
     tree.merge_counts = ascending(MAX_MERGE_COUNTS)
     require(tree.merges == 0 or tree.merge_counts and tree.merge_counts[-1] == tree.merges, "last merge count")
     tree.boxes = [[table.ranges(3) for _ in tree.merge_counts] for _ in layout.chunks]
-    tree.levels = ascending(MAX_LEVELS)
     table.end()
     return tree
 
@@ -58,49 +69,115 @@ def read_tree_step(table, meta, layout, tree):
     return result
 
 
-def uniform(coded, n):
-    """A number below n (13.3)."""
-    b = n.bit_length() - 1
-    u = (1 << (b + 1)) - n
-    x = coded.raw(b)
-    if x >= u:
-        x = 2 * x + coded.raw(1) - u
-    return x
+class Distances:
+    """distance() of 13.3."""
+
+    def __init__(self, coded):
+        self.coded = coded
+        self.before = 0
+
+    def next(self):
+        length = self.coded.tree(6, "length", self.before // 4)
+        require(length <= 33, "length of a distance")
+        self.before = length
+        if length == 0:
+            return 0
+        negative = self.coded.decide("sign", length)
+        value = 1
+        if length > 1:
+            value = 2 + self.coded.decide("second", length) << length - 2
+            value += self.coded.raw(length - 2)
+        return -value if negative else value
+
+
+def block_sizes(points, merges):
+    """The number of merges of each block, and of points left when its section begins (13.3)."""
+    k = 0
+    while k < merges:
+        left = points - k
+        end = min(merges, k + (left if left < 4096 else left - left // 2))
+        while k < end:
+            yield min(131072, end - k), left
+            k += min(131072, end - k)
+
+
+def decode_block(data, count, left, bonds):
+    """Quadruples of two places among the points left, and key, of the merges of a block."""
+    coded = Coded(Bytes(data))
+    distances = Distances(coded)
+    key = 0
+    result = []
+    while len(result) < count:
+        run = 1 + coded.large("run")
+        key += coded.large("growth")
+        require(run <= count - len(result), "run of merges")
+        require(key <= INFINITY_KEY, "key of a merge")
+        place = -1
+        for _ in range(run):
+            place += 1 + coded.large("skipped", (left // run).bit_length())
+            d = distances.next()
+            require(place < left and 0 <= place + d < left, "place of a point")
+            result.append((place, place + d, key))
+            if bonds is not None:
+                bonds.append(coded.decide("bond"))
+    return result
 
 
 def decode_merges(stream, points, merges, bonds=None):
     """Triples of point, into and error (13.3). bonds: a list that gets, of a surface, whether each
     merge is bound to the next one."""
-    require(len(stream) >= merges // 8, "stream of merges too short")
-    coded = Coded(Bytes(stream))
-    spreads = {"into": RunningSpread(), "growth": RunningSpread()}
-
-    def residual(name):
-        d, _ = coded.residual(name, spreads[name].spread())
-        spreads[name].update(d)
-        return d
-
+    require(len(stream) >= merges // 256, "stream of merges too short")
+    table = Bytes(stream)
+    blocks = list(block_sizes(points, merges))
+    lengths = [table.varint() for _ in blocks]
     left = list(range(points))
     gone = set()
-    key = 0
     result = []
-    for _ in range(merges):
-        require(left, "more merges than points")
-        place = uniform(coded, len(left))
-        point = left[place]
-        left[place] = left[-1]
-        left.pop()
-        gone.add(point)
-        into = point + residual("into")
-        require(0 <= into < points and into not in gone, "merged into no point")
-        growth = residual("growth")
-        key += growth
-        require(growth >= 0 and key <= INFINITY_KEY, "errors do not ascend")
-        result.append((point, into, struct.unpack("<f", struct.pack("<I", key << 16))[0]))
-        if bonds is not None:
-            bonds.append(coded.decide("bond"))
+    last = 0
+    for (count, in_section), length in zip(blocks, lengths):
+        if len(left) != in_section:
+            left = [point for point in left if point not in gone]
+        for place, into, key in decode_block(table.take(length), count, in_section, bonds):
+            point, into = left[place], left[into]
+            require(point != into and point not in gone and into not in gone, "merge of no point")
+            require(key >= last, "errors do not ascend")
+            last = key
+            gone.add(point)
+            result.append((point, into, struct.unpack("<f", struct.pack("<I", key << 16))[0]))
     require(not bonds or not bonds[-1], "bond of the last merge")
     return result
+
+
+def decode_map(stream, points):
+    """Numbers of points in a base mesh (13.3)."""
+    steps = Distances(Coded(Bytes(stream)))
+    result = []
+    number = -1
+    for _ in range(points):
+        number += 1 + steps.next()
+        result.append(number)
+    require(sorted(result) == list(range(points)), "numbers of points")
+    return result
+
+
+def decode_parts(whole, first):
+    """The merges of a file from a part on, in the numbers of the mesh of that part, and whether each
+    is bound to the next one (13.2). whole: the decoder of the file."""
+    is_surface = whole.container.is_surface
+    merges, bonds = [], []
+    for part in reversed(whole.container.tree.parts[first:]):
+        own_bonds = [] if is_surface else None
+        own = [] if part.stream is None else decode_merges(
+            whole.stream(part.stream), part.points, part.merges, own_bonds)
+        if part.map is not None:
+            gone = {point for point, _, _ in own}
+            left = [point for point in range(part.all_points) if point not in gone]
+            number_of = dict(zip(decode_map(whole.stream(part.map), len(left)), left))
+            require(not merges or not own or own[-1][2] <= merges[0][2], "errors do not ascend")
+            merges = [(number_of[point], number_of[into], error) for point, into, error in merges]
+        merges = own + merges
+        bonds = (own_bonds or []) + bonds
+    return merges, bonds
 
 
 def find_ancestors(points, merges):
@@ -202,7 +279,7 @@ def check_tight(ranges, columns):
 
 def open_level(whole, number, make):
     """A base mesh, which must be one of this file (13.6). make: a decoder from bytes."""
-    level = make(whole.container.tree.files[number])
+    level = make(whole.container.tree.files[number], whole, number + 1)
     merges = whole.container.tree.levels[number]
     one, other = whole.meta, level.meta
     require(other.points == one.points - merges, "points of a base mesh")
@@ -214,7 +291,9 @@ def open_level(whole, number, make):
     require(times[0] == times[1], "steps of a base mesh")
     require(level.container.boundary is None, "boundary of a base mesh")
     tree = level.container.tree
-    require(tree is not None and not tree.levels, "tree of a base mesh")
+    require(tree is not None and not tree.levels and not tree.parts, "tree of a base mesh")
+    unused = 0 if level.container.is_surface else other.unused_points
+    require(whole.container.tree.parts[number + 1].points == other.points - unused, "points of a part")
     require(tree.merges == whole.container.tree.merges - merges, "merges of a base mesh")
     require(level.container.is_surface == whole.container.is_surface, "kind of a base mesh")
     return level

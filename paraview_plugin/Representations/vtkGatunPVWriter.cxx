@@ -138,17 +138,17 @@ int vtkGatunPVWriter::WriteWhole(const std::string& name)
 {
   const std::string parts = name + ".parts";
   const std::string layers = this->LayerArray;
-  const bool hasTree = this->Hierarchy;
+  const int hierarchy = this->Hierarchy;
   const bool hasBoundary = this->WriteBoundary;
   const int order = this->KeepOrder;
   this->SetKeepOrder(KEEP_ALL); // the order of merges is that of one process
-  this->SetHierarchy(false);
+  this->SetHierarchy(HIERARCHY_OFF);
   this->SetWriteBoundary(false);
   this->SetLayerArray(nullptr);
   this->SetFileName(parts.c_str());
   int succeeded = this->Superclass::Write();
   this->SetKeepOrder(order);
-  this->SetHierarchy(hasTree);
+  this->SetHierarchy(hierarchy);
   this->SetWriteBoundary(hasBoundary);
   this->SetLayerArray(layers.c_str());
   if (!succeeded)
@@ -172,7 +172,7 @@ int vtkGatunPVWriter::WriteWhole(const std::string& name)
     writer->SetKeepOrder(order);
     writer->SetChunkSize(this->ChunkSize);
     writer->SetKeyStepInterval(this->KeyStepInterval);
-    writer->SetHierarchy(hasTree);
+    writer->SetHierarchy(hierarchy);
     writer->SetProfile(this->Profile);
     writer->SetLevels(this->Levels);
     writer->SetWriteBoundary(hasBoundary);

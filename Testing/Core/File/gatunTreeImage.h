@@ -27,6 +27,17 @@ public:
     , Chunks(MeshIndex::Read(FindPayload(Rest, SectionTable), Meta).Chunks)
     , Tree(ReadTreeTable(Rest))
   {
+    if (!this->Tree.Parts.empty()) // it is not a base mesh
+    {
+      this->AllMerges = FileReader(path).GetMergeTree();
+    }
+    const InputFile file(path);
+    for (const TreePart& part : this->Tree.Parts)
+    {
+      const auto read = [&](const StreamRef& where)
+      { return where.Length > 0 ? file.Read(where, "a stream") : Bytes(); };
+      this->Parts.push_back({ read(part.Merges), read(part.Map), read(part.Dependencies) });
+    }
     for (auto& section : this->Rest)
     {
       const auto name = section.Name;
@@ -35,16 +46,12 @@ public:
         this->TreeSteps.push_back(
           TreeStepTable::Read(section.Payload, this->Meta, this->Chunks, this->Tree));
       }
-      if (name == SectionMerges)
-      {
-        this->Merges = section.Payload;
-      }
       if (name == SectionLevel)
       {
         this->Levels.push_back(section.Payload);
       }
       if (name == SectionTree || name == SectionTreeStep || name == SectionMerges ||
-        name == SectionLevel)
+        name == SectionDependencies || name == SectionLevel)
       {
         section.Name = MakeFourCC("ROOM"); // as long as before, and skipped by readers
       }
@@ -54,11 +61,19 @@ public:
   /** Another tree of the same mesh; bounds and ranges stay, and may be wrong then. */
   void SetMerges(const MergeTree& tree)
   {
-    this->Merges = EncodeMerges(tree, CountMergeablePoints(this->Meta, this->IsSurface()),
-      this->IsSurface() ? MergeKind::Surface : MergeKind::Tetrahedra);
+    this->Levels.clear();
+    this->Tree.Levels.clear();
+    this->Tree.Parts.resize(1);
+    this->Parts.assign(1,
+      { EncodeMerges(tree, CountMergeablePoints(this->Meta, this->IsSurface()),
+          tree.GetMerges().size(), this->IsSurface() ? MergeKind::Surface : MergeKind::Tetrahedra),
+        {}, {} });
     this->Tree.Merges = static_cast<std::uint32_t>(tree.GetMerges().size());
     this->Tree.MergeCounts.back() = this->Tree.Merges;
   }
+
+  /** The same merges without base meshes. */
+  void RemoveLevels() { this->SetMerges(this->AllMerges); }
 
   bool IsSurface() const
   {
@@ -75,15 +90,23 @@ public:
       size += SectionHeaderSize + section.Payload.size();
     }
     auto tree = this->Tree;
-    if (this->KeepStream)
+    Bytes streams;
+    const auto put = [&](const Bytes& stream, StreamRef& where)
     {
-      tree.Stream = this->Tree.Stream;
-    }
-    else
+      where = {};
+      if (!stream.empty())
+      {
+        where = { size + SectionHeaderSize + streams.size(), stream.size(), Checksum(stream) };
+        streams.insert(streams.end(), stream.begin(), stream.end());
+      }
+    };
+    for (std::size_t i = 0; !this->KeepStream && i < tree.Parts.size(); ++i)
     {
-      tree.Stream = { size + SectionHeaderSize, this->Merges.size(), Checksum(this->Merges) };
+      put(this->Parts.at(i).Merges, tree.Parts[i].Merges);
+      put(this->Parts.at(i).Map, tree.Parts[i].Map);
+      put(this->Parts.at(i).Dependencies, tree.Parts[i].Dependencies);
     }
-    sections.push_back({ SectionMerges, this->Merges, SectionVersion, 0 });
+    sections.push_back({ SectionMerges, streams, SectionVersion, 0 });
     sections.push_back({ this->TreeName, this->StoredTree ? Store(*this->StoredTree) : tree.Write(),
       SectionVersion, 0 });
     for (const auto& step : this->TreeSteps)
@@ -106,11 +129,17 @@ public:
   MetaTable Meta; // what Rest has of it
   std::size_t Chunks = 0;
   TreeTable Tree;
+  MergeTree AllMerges; // of the unchanged file
   std::vector<TreeStepTable> TreeSteps;
-  Bytes Merges;
   std::vector<Bytes> Levels;
 
-  bool KeepStream = false; // write Tree.Stream as it is
+  struct PartStreams
+  {
+    Bytes Merges, Map, Dependencies;
+  };
+  std::vector<PartStreams> Parts;
+
+  bool KeepStream = false; // write Tree.Parts as they are
   FourCC TreeName = SectionTree;
   std::optional<Bytes> StoredTree; // written in place of the table
   std::vector<Bytes> StoredSteps;  // written behind the tables

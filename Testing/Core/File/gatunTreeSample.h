@@ -6,7 +6,6 @@
 // Small files with a merge tree and base meshes. FileWriter makes no base meshes of small meshes,
 // so they are added to the file afterwards.
 
-#include "gatunBaseMesh.h"
 #include "gatunFileImage.h"
 #include "gatunFileWriter.h"
 #include "gatunMergeBuilder.h"
@@ -164,91 +163,36 @@ inline TreeTable ReadTreeTable(const std::vector<FileImage::Section>& sections)
   return TreeTable::Read(FindPayload(sections, SectionTree), meta, mesh.Chunks, isSurface);
 }
 
-/** Writes values as they are; those of a base mesh are gathered before. */
-template <typename Gather>
-void WriteValues(
-  FileWriter& writer, const TreeSample& sample, const FieldData& field, Gather&& gather)
-{
-  for (std::size_t step = 0; step < sample.Steps.size(); ++step)
-  {
-    std::vector<Bytes> values;
-    std::vector<const void*> pointers;
-    for (std::size_t a = 0; a < sample.Arrays.size(); ++a)
-    {
-      values.push_back(gather(sample.Steps[step][a], sample.Arrays[a]));
-    }
-    for (const auto& bytes : values)
-    {
-      pointers.push_back(bytes.data());
-    }
-    writer.WriteStep(
-      pointers, field, sample.HasTime, sample.HasTime ? 0.5 * static_cast<double>(step) : 0);
-  }
-  writer.Finish();
-}
-
-/** Writes the mesh after a number of merges and returns the bytes of the file. */
-inline Bytes MakeLevel(
-  const std::string& path, const TreeSample& sample, WriterOptions options, std::size_t merges)
-{
-  const auto input = sample.GetInput();
-  const BaseMesh base(MeshAccess(input), sample.Tree, merges, sample.GetForm());
-  options.IsSurface = sample.IsSurface();
-  options.Keep = KeepNone;
-  options.Tree = &base.GetTree();
-  Bytes layerValues; // the remaining values that define the layers
-  if (options.Layers)
-  {
-    const auto& array = sample.Arrays[options.Layers->Array];
-    layerValues =
-      base.Gather(options.Layers->Values, array.Where, array.Components * SizeOf(array.Type));
-    options.Layers->Values = layerValues.data();
-  }
-  const auto temporary = path + ".level";
-  FileWriter writer(temporary, base.GetInput(), sample.Arrays, options);
-  WriteValues(writer, sample, {},
-    [&](const Bytes& values, const ArrayDescription& array)
-    { return base.Gather(values.data(), array.Where, array.Components * SizeOf(array.Type)); });
-  auto bytes = ReadFile(temporary);
-  std::filesystem::remove(temporary);
-  return bytes;
-}
-
 /** Writes a sample with its tree, and with base meshes after these numbers of merges. */
 inline void WriteTreeSample(const std::string& path, const TreeSample& sample,
   WriterOptions options, const std::vector<std::uint32_t>& levels = {})
 {
   options.Tree = &sample.Tree;
   options.IsSurface = sample.IsSurface();
+  options.LevelMerges = levels;
+  FileWriter writer(path, sample.GetInput(), sample.Arrays, options);
+  for (std::size_t step = 0; step < sample.Steps.size(); ++step)
   {
-    FileWriter writer(path, sample.GetInput(), sample.Arrays, options);
-    WriteValues(writer, sample, sample.Field,
-      [](const Bytes& values, const ArrayDescription&) { return values; });
-  }
-  if (levels.empty())
-  {
-    return;
-  }
-  // No stream stands behind TREE, so that all of them stay where they are.
-  auto sections = ReadSections(path);
-  auto tree = ReadTreeTable(sections);
-  tree.Levels = levels;
-  for (auto& section : sections)
-  {
-    if (section.Name == SectionTree)
+    std::vector<const void*> values;
+    for (const Bytes& array : sample.Steps[step])
     {
-      section.Payload = tree.Write();
+      values.push_back(array.data());
     }
+    writer.WriteStep(
+      values, sample.Field, sample.HasTime, sample.HasTime ? 0.5 * static_cast<double>(step) : 0);
   }
-  for (const auto merges : levels)
-  {
-    sections.push_back(
-      { SectionLevel, MakeLevel(path, sample, options, merges), SectionVersion, 0 });
-  }
-  const auto bytes = FileImage().Assemble(sections);
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  out.write(
-    reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  writer.Finish();
+}
+
+/** Writes a sample with a base mesh after a number of merges. Returns the bytes of that. */
+inline Bytes MakeLevel(
+  const std::string& path, const TreeSample& sample, WriterOptions options, std::uint32_t merges)
+{
+  const auto temporary = path + ".level";
+  WriteTreeSample(temporary, sample, options, { merges });
+  auto bytes = FindPayload(ReadSections(temporary), SectionLevel);
+  std::filesystem::remove(temporary);
+  return bytes;
 }
 
 /** Cubes with a point array of two components and a cell array, and unused points on both ends. */

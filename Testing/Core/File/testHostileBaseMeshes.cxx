@@ -34,7 +34,9 @@ TEST(HostileBaseMeshes, BaseMeshesMustBeAsManyAsTheTreeSays)
   const std::string ascend = "numbers of merges do not ascend";
   ExpectRefused(number, [](TreeImage& f) { f.Levels.pop_back(); });
   ExpectRefused(number, [](TreeImage& f) { f.Levels.push_back(f.Levels.back()); });
-  ExpectRefused(number, [](TreeImage& f) { f.Tree.Levels.clear(); });
+  ExpectRefused("there are not as many parts of the merges as meshes",
+    [](TreeImage& f) { f.Tree.Levels.clear(); });
+  ExpectRefused("the merges of its tree are missing", [](TreeImage& f) { f.Tree.Parts.clear(); });
   ExpectRefused(ascend, [](TreeImage& f) { f.Tree.Levels[0] = 0; });
   ExpectRefused(ascend, [](TreeImage& f) { f.Tree.Levels[1] = f.Tree.Levels[0]; });
   ExpectRefused(ascend, [](TreeImage& f) { f.Tree.Levels[1] = f.Tree.Merges + 1; });
@@ -66,7 +68,7 @@ TEST(HostileBaseMeshes, ABaseMeshMustBeWhatIsLeft)
   options.ChunkSize = 64;
   const auto path = GetPath("level.gtn");
   const auto merges = good.Tree.Levels[1];
-  const auto expectRefused = [&](const TreeSample& other, std::size_t after)
+  const auto expectRefused = [&](const TreeSample& other, std::uint32_t after)
   { ExpectLevelRefused(NotWhatIsLeft, MakeLevel(path, other, options, after)); };
 
   auto right = good;

@@ -214,7 +214,7 @@ TEST_F(HostileMemory, ManyStepsWithLargeRangesAfterMerges)
   image.Meta.Arrays[0].Components = 65536;
   TreeTable tree;
   tree.Merges = 1;
-  tree.Stream = { 1u << 20, 9, 0 };
+  tree.Parts = { { static_cast<std::uint32_t>(image.Meta.Points), { 1u << 20, 9, 0 }, {}, {} } };
   tree.MergeCounts = { 1 };
   tree.Boxes.assign(1, std::vector<Bounds>(1));
   TreeStepTable ranges;

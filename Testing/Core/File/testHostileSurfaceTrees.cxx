@@ -62,7 +62,8 @@ TEST(HostileSurfaceTrees, ATreeMustBeThatOfTheSurface)
       f.Tree.Merges = points + 1;
       f.Tree.MergeCounts.back() = points + 1;
     });
-  ExpectSurfaceRefused("the merges have no stream", [](TreeImage& f) { f.Merges.clear(); });
+  ExpectSurfaceRefused(
+    "the merges have no stream", [](TreeImage& f) { f.Parts[0].Merges.clear(); });
   ExpectSurfaceRefused("the bounds of chunks after merges are not all there",
     [](TreeImage& f) { f.Tree.Boxes.resize(1); });
   ExpectSurfaceRefused("the ranges after merges of some time steps are missing",
@@ -78,7 +79,7 @@ TEST(HostileSurfaceTrees, NothingBelongsToTheLastMerge)
     return [=](TreeImage& f)
     {
       f.SetMerges(
-        MergeTree(points, { { 3, 4, 0 }, { 5, 6, 0 }, { 7, 8, 0 } }, { false, true, false }));
+        MergeTree(points, { { 7, 8, 0 }, { 5, 6, 0 }, { 3, 4, 0 } }, { false, true, false }));
       f.Tree.Merges = merges;
       f.Tree.MergeCounts = { merges };
       for (auto& boxes : f.Tree.Boxes)
@@ -95,8 +96,6 @@ TEST(HostileSurfaceTrees, NothingBelongsToTheLastMerge)
           }
         }
       }
-      f.Tree.Levels.clear();
-      f.Levels.clear();
     };
   };
   ExpectSurfaceRefused("there is no merge that belongs to the last one", encode(2));
@@ -153,8 +152,6 @@ TEST(HostileSurfaceTrees, TreesThatDoNotFitTheSurfaceAreReadAllTheSame)
   auto image = GetGoodSurface();
   const auto points = static_cast<std::uint32_t>(image.Meta.Points);
   const auto used = points - static_cast<std::uint32_t>(image.Meta.UnusedPoints);
-  image.Levels.clear();
-  image.Tree.Levels.clear();
   for (unsigned seed = 0; seed < 20; ++seed)
   {
     std::mt19937 random(seed);

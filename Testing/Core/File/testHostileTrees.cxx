@@ -5,9 +5,11 @@
 
 #include "gatunEntropy.h"
 #include "gatunHostileTrees.h"
+#include "gatunNumberModel.h"
 #include "gatunResidual.h"
 #include "gatunTableParts.h"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <functional>
@@ -37,14 +39,13 @@ TEST(HostileTrees, ATreeMustBeThatOfTheMesh)
       f.Tree.Merges = points + 1; // as many as points, but two of them are unused
       f.Tree.MergeCounts.back() = points + 1;
     });
-  ExpectRefused("the merges have no stream", [](TreeImage& f) { f.Merges.clear(); });
+  ExpectRefused("the merges have no stream", [](TreeImage& f) { f.Parts[0].Merges.clear(); });
   ExpectRefused("the merges have no stream",
     [](TreeImage& f)
     {
+      f.RemoveLevels();
       f.Tree.Merges = 0;
       f.Tree.MergeCounts.clear();
-      f.Tree.Levels.clear();
-      f.Levels.clear();
       f.Tree.Boxes.assign(f.Tree.Boxes.size(), {});
     });
   ExpectRefused("the file has several sections for the table of merges",
@@ -87,7 +88,8 @@ TEST(HostileTrees, RungsMustAscendToAllMerges)
       std::iota(f.Tree.MergeCounts.begin(), f.Tree.MergeCounts.end(), 36u);
       ByteWriter content;
       content.PutVarint(1);
-      PutStream(content, { 16, 20, 0 });
+      content.PutVarint(0);
+      content.PutVarint(0);
       content.PutVarint(65);
       content.Data.resize(content.Data.size() + 65, 1);
       f.StoredTree = content.Data;
@@ -97,7 +99,6 @@ TEST(HostileTrees, RungsMustAscendToAllMerges)
     {
       ByteWriter content;
       content.PutVarint(1);
-      PutStream(content, { 16, 20, 0 });
       content.PutVarint(std::uint64_t{ 1 } << 60);
       f.StoredTree = content.Data;
     });
@@ -150,7 +151,7 @@ TEST(HostileTrees, TheStreamOfMergesMustLieInTheFile)
     return [=](TreeImage& f)
     {
       f.KeepStream = true;
-      f.Tree.Stream = stream;
+      f.Tree.Parts[0].Merges = stream;
     };
   };
   ExpectRefused("the stream of merges at byte 1152921504606846976 reaches past the end of the file",
@@ -161,40 +162,37 @@ TEST(HostileTrees, TheStreamOfMergesMustLieInTheFile)
     setStream({ 40, 100, 0 }));
 }
 
-/** A step of a stream of merges as it is coded. */
+/** A run of one merge as it is coded. */
 struct CodedMerge
 {
   std::uint32_t Place;
   std::int64_t Distance;
-  std::int64_t Growth;
+  std::uint32_t Growth;
+  std::uint32_t More = 0; // merges that the run claims to have
 };
 
-/** What EncodeMerges writes, but of anything. */
+/** What EncodeMerges writes of few merges, but of anything. */
 Bytes EncodeAnything(std::uint32_t points, const std::vector<CodedMerge>& merges)
 {
   EntropyEncoder coder;
-  ResidualModel models[2];
-  RunningSpread spreads[2];
-  auto left = points;
+  NumberModel runs, growths;
+  std::array<NumberModel, 33> skipped;
+  ResidualModel distances;
+  RunningSpread spread;
   for (const auto& merge : merges)
   {
-    const auto bits = static_cast<unsigned>(std::bit_width(left)) - 1;
-    const auto shorter = (2u << bits) - left;
-    const auto longer = merge.Place + shorter;
-    coder.Raw(merge.Place < shorter ? merge.Place : longer >> 1, bits);
-    if (merge.Place >= shorter)
-    {
-      coder.Raw(longer & 1, 1);
-    }
-    const std::int64_t residuals[] = { merge.Distance, merge.Growth };
-    for (unsigned i = 0; i < 2; ++i)
-    {
-      models[i].Code(coder, spreads[i].Get(), residuals[i]);
-      spreads[i].Add(residuals[i]);
-    }
-    --left;
+    runs.Code(coder, merge.More);
+    growths.Code(coder, merge.Growth);
+    skipped[static_cast<std::size_t>(std::bit_width(points / (merge.More + 1)))].Code(
+      coder, merge.Place);
+    distances.Code(coder, spread.Get(), merge.Distance);
+    spread.Add(merge.Distance);
   }
-  return coder.Finish();
+  const auto block = coder.Finish();
+  ByteWriter out;
+  out.PutVarint(block.size());
+  out.PutBytes(block);
+  return out.Data;
 }
 
 TEST(HostileTrees, MergesMustFollowFromEachOther)
@@ -212,18 +210,17 @@ TEST(HostileTrees, MergesMustFollowFromEachOther)
     { missing, { { 3, std::int64_t{ points } - 3, 0 }, { 0, 1, 0 } } }, // the first unused one
     { missing, { { 3, farthest, 0 }, { 0, 1, 0 } } },
     { missing, { { 3, -(farthest + 1), 0 }, { 0, 1, 0 } } },
-    { errors, { { 3, 1, -1 }, { 0, 1, 0 } } },
-    { errors, { { 3, 1, 5 }, { 0, 1, -1 } } },
+    { "there are too many merges of one error", { { 3, 1, 0, 2 }, { 0, 1, 0 } } },
     { errors, { { 3, 1, 0x7f81 }, { 0, 1, 0 } } }, // a NaN
     { errors, { { 3, 1, 0x7f80 }, { 0, 1, 1 } } },
-    { errors, { { 3, 1, -(farthest + 1) }, { 0, 1, 0 } } },
-    { errors, { { 3, 1, farthest }, { 0, 1, 0 } } },
+    { errors, { { 3, 1, 5 }, { 0, 1, 0xffffffff } } },
   };
   const auto set = [&](const std::vector<CodedMerge>& merges)
   {
     return [&](TreeImage& f)
     {
-      f.Merges = EncodeAnything(points, merges);
+      f.RemoveLevels();
+      f.Parts[0].Merges = EncodeAnything(points, merges);
       f.Tree.Merges = 2;
       f.Tree.MergeCounts = { 1, 2 };
       for (auto& boxes : f.Tree.Boxes)
@@ -240,8 +237,6 @@ TEST(HostileTrees, MergesMustFollowFromEachOther)
           }
         }
       }
-      f.Tree.Levels.clear();
-      f.Levels.clear();
     };
   };
   for (const auto& [what, merges] : cases)
@@ -264,21 +259,21 @@ TEST(HostileTrees, MergesMustFollowFromEachOther)
 
 TEST(HostileTrees, TheStreamOfMergesMustBeLongEnough)
 {
-  const auto& merges = GetGoodImage().Merges;
+  const auto& merges = GetGoodImage().Parts[0].Merges;
   for (std::size_t size = 1; size < merges.size(); ++size)
   {
-    ExpectRefused("", [&](TreeImage& f) { f.Merges.resize(size); });
+    ExpectRefused("", [&](TreeImage& f) { f.Parts[0].Merges.resize(size); });
   }
 }
 
 TEST(HostileTrees, AStreamOfMergesCannotClaimMoreThanItHolds)
 {
   const std::uint32_t points = 1u << 20;
-  for (const std::uint32_t merges : { 88u, points - 1 })
+  for (const std::uint32_t merges : { 11u * 256u, points - 1 })
   {
     try
     {
-      DecodeMerges(Bytes(10, 0), points, merges);
+      DecodeMerges(Bytes(10, 0), points, merges, MergeKind::Tetrahedra);
       ADD_FAILURE() << "no error";
     }
     catch (const Error& error)
@@ -342,8 +337,6 @@ TEST(HostileTrees, TreesThatDoNotFitTheMeshAreReadAllTheSame)
   auto image = GetGoodImage();
   const auto points = static_cast<std::uint32_t>(image.Meta.Points);
   const auto used = points - static_cast<std::uint32_t>(image.Meta.UnusedPoints);
-  image.Levels.clear();
-  image.Tree.Levels.clear();
   for (unsigned seed = 0; seed < 20; ++seed)
   {
     std::mt19937 random(seed);
