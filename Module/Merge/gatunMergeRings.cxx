@@ -46,17 +46,17 @@ MergeRings<Corners>::MergeRings(std::size_t points, std::span<const Cell> cells)
 }
 
 //------------------------------------------------------------------------------
+/** The last cell of the ring takes the place of the removed one. */
 template <std::size_t Corners>
 void MergeRings<Corners>::RemoveFromRing(std::uint32_t point, std::uint32_t cell)
 {
   Ring& ring = this->Rings[point];
   std::uint32_t* const first = this->Pool.data() + ring.First;
   std::uint32_t* const last = first + ring.Count;
-  // The order stays, as sums depend on it.
   std::uint32_t* const found = std::find(first, last, cell);
   if (found != last)
   {
-    std::copy(found + 1, last, found);
+    *found = last[-1];
     --ring.Count;
     --this->Used;
   }
@@ -74,7 +74,7 @@ void MergeRings<Corners>::Merge(std::uint32_t point, std::uint32_t into)
     {
       for (const auto corner : corners)
       {
-        if (corner != point)
+        if (corner != point && corner != into)
         {
           this->RemoveFromRing(corner, cell);
         }
@@ -87,10 +87,15 @@ void MergeRings<Corners>::Merge(std::uint32_t point, std::uint32_t into)
       this->Moved.push_back(cell);
     }
   }
-  const auto rest = this->GetRing(into);
-  this->Moved.insert(this->Moved.end(), rest.begin(), rest.end());
-  this->Used += this->Moved.size() - rest.size();
-  this->Used -= this->Rings[point].Count;
+  this->Used -= this->Rings[point].Count + this->Rings[into].Count;
+  for (const auto cell : this->GetRing(into))
+  {
+    if (this->Cells[cell][0] != None)
+    {
+      this->Moved.push_back(cell);
+    }
+  }
+  this->Used += this->Moved.size();
   this->Rings[point].Count = 0;
   this->Rings[into] = { this->Pool.size(), static_cast<std::uint32_t>(this->Moved.size()) };
   this->Pool.insert(this->Pool.end(), this->Moved.begin(), this->Moved.end());
