@@ -9,12 +9,33 @@ namespace gatun
 namespace
 {
 // Marks: of the neighbors of the two points that are to become one.
-constexpr std::uint8_t ByFirst = 1;           // has an edge with the first
-constexpr std::uint8_t ByFirstOnBoundary = 2; // and it is on the boundary
-constexpr std::uint8_t BySecond = 4;
-constexpr std::uint8_t BySecondOnBoundary = 8;
-constexpr std::uint8_t OfEdge = 16;           // has a triangle with both
-constexpr std::uint8_t OfEdgeOnBoundary = 32; // and it is on the boundary
+constexpr unsigned IsInto = 1;
+constexpr unsigned ByFirstOnBoundary = 2;  // has an edge with the first that is on the boundary
+constexpr unsigned BySecond = 4;           // has an edge with the second
+constexpr unsigned BySecondOnBoundary = 8; // and it is on the boundary
+constexpr unsigned OfEdge = 16;            // has a triangle with both
+constexpr unsigned OfEdgeOnBoundary = 32;  // and it is on the boundary
+
+/** Whether a neighbor of both points is not in the link of the edge; or its edges with the outer
+ * point are not, which only belongs to the edge if that is on the boundary. */
+constexpr bool IsOther(unsigned marks)
+{
+  constexpr unsigned ofBothOnBoundary = ByFirstOnBoundary | BySecondOnBoundary;
+  const bool isOutside =
+    (marks & ofBothOnBoundary) == ofBothOnBoundary && (marks & OfEdgeOnBoundary) == 0;
+  return (marks & BySecond) != 0 && ((marks & OfEdge) == 0 || isOutside);
+}
+
+/** The same of all marks, as branches on them cannot be predicted. */
+constexpr std::array<std::uint8_t, 64> Other = []
+{
+  std::array<std::uint8_t, 64> other{};
+  for (unsigned marks = 0; marks < other.size(); ++marks)
+  {
+    other[marks] = IsOther(marks) ? 1 : 0;
+  }
+  return other;
+}();
 }
 
 //------------------------------------------------------------------------------
@@ -27,21 +48,33 @@ void MergeLinks::Mark(std::uint32_t point, unsigned marks)
 
 //------------------------------------------------------------------------------
 /** Marks the neighbors of a point, and the point itself. */
-void MergeLinks::MarkNeighbors(
-  std::uint32_t point, std::uint8_t neighbor, std::uint8_t boundaryNeighbor)
+void MergeLinks::MarkNeighbors(std::uint32_t point, unsigned neighbor)
+{
+  const auto ring = this->Mesh.GetRing(point);
+  std::size_t at = this->Marked.size();
+  this->Marked.resize(at + 4 * ring.size());
+  for (const auto tet : ring)
+  {
+    for (const auto corner : this->Mesh.GetTet(tet))
+    {
+      this->Marked[at++] = corner;
+      this->Marks[corner] |= static_cast<std::uint8_t>(neighbor);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Marks the neighbors that have an edge on the boundary with a point. */
+void MergeLinks::MarkBoundary(std::uint32_t point, unsigned boundaryNeighbor)
 {
   for (const auto tet : this->Mesh.GetRing(point))
   {
-    const MergeMesh::Tet& corners = this->Mesh.GetTet(tet);
-    for (const auto corner : corners)
-    {
-      this->Mark(corner, neighbor);
-    }
     const unsigned faces = this->Mesh.GetBoundaryFaces(tet);
     if (faces == 0) [[likely]]
     {
       continue;
     }
+    const MergeMesh::Tet& corners = this->Mesh.GetTet(tet);
     const unsigned at = MergeMesh::FindKnownCorner(corners, point);
     for (unsigned i = 0; i < 4; ++i)
     {
@@ -49,7 +82,7 @@ void MergeLinks::MarkNeighbors(
       const unsigned others = 15u & ~(1u << at) & ~(1u << i);
       if (i != at && (faces & others) != 0)
       {
-        this->Marks[corners[i]] |= boundaryNeighbor;
+        this->Mark(corners[i], boundaryNeighbor);
       }
     }
   }
@@ -62,12 +95,12 @@ void MergeLinks::MarkEdge(std::uint32_t point, std::uint32_t into)
   for (const auto tet : this->Mesh.GetRing(point))
   {
     const MergeMesh::Tet& corners = this->Mesh.GetTet(tet);
-    const unsigned other = MergeMesh::FindCorner(corners, into);
-    if (other == 4)
+    if (!MergeMesh::HasCorner(corners, into))
     {
       continue;
     }
-    const auto rest = MergeMesh::FindOthers(MergeMesh::FindCorner(corners, point), other);
+    const auto rest = MergeMesh::FindOthers(
+      MergeMesh::FindKnownCorner(corners, point), MergeMesh::FindKnownCorner(corners, into));
     this->EdgeLink.push_back({ corners[rest[0]], corners[rest[1]] });
     for (unsigned i = 0; i < 2; ++i)
     {
@@ -93,7 +126,7 @@ bool MergeLinks::HaveTet(std::uint32_t a, std::uint32_t b, std::uint32_t c) cons
     [&](std::uint32_t tet)
     {
       const MergeMesh::Tet& corners = this->Mesh.GetTet(tet);
-      return MergeMesh::FindCorner(corners, b) < 4 && MergeMesh::FindCorner(corners, c) < 4;
+      return MergeMesh::HasCorner(corners, b) && MergeMesh::HasCorner(corners, c);
     });
 }
 
@@ -104,8 +137,8 @@ bool MergeLinks::HasTet(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::
     [&](std::uint32_t tet)
     {
       const MergeMesh::Tet& corners = this->Mesh.GetTet(tet);
-      return MergeMesh::FindCorner(corners, b) < 4 && MergeMesh::FindCorner(corners, c) < 4 &&
-        MergeMesh::FindCorner(corners, d) < 4;
+      return MergeMesh::HasCorner(corners, b) && MergeMesh::HasCorner(corners, c) &&
+        MergeMesh::HasCorner(corners, d);
     });
 }
 
@@ -136,84 +169,80 @@ bool MergeLinks::MayMerge(std::uint32_t point, std::uint32_t into)
   }
   this->Marked.clear();
   this->Mesh.PrefetchCells(into);
-  this->MarkNeighbors(point, ByFirst, ByFirstOnBoundary);
-  const bool edgeOnBoundary = (this->Marks[into] & ByFirstOnBoundary) != 0;
-  if (this->Mesh.IsOnBoundary(point) && !edgeOnBoundary)
+  bool edgeOnBoundary = false;
+  if (this->Mesh.IsOnBoundary(point))
   {
-    return false;
+    this->MarkBoundary(point, ByFirstOnBoundary);
+    if ((this->Marks[into] & ByFirstOnBoundary) == 0)
+    {
+      return false;
+    }
+    edgeOnBoundary = true;
+    this->MarkBoundary(into, BySecondOnBoundary);
   }
-  this->MarkNeighbors(into, BySecond, BySecondOnBoundary);
   this->MarkEdge(point, into);
-  return this->ShareNoOtherPoint(point, into, edgeOnBoundary) &&
-    this->ShareNoOtherTriangle(point, into) &&
+  this->MarkNeighbors(into, BySecond);
+  this->Marks[point] = 0;
+  this->Marks[into] = IsInto;
+  return this->ShareNoOthers(point, into) &&
     !(edgeOnBoundary && this->ShareBoundaryFace(point, into));
 }
 
 //------------------------------------------------------------------------------
-/** Points of both links are in that of the edge; and so are edges of both with the outer point,
- * which only belongs to the edge if that is on the boundary. */
-bool MergeLinks::ShareNoOtherPoint(
-  std::uint32_t point, std::uint32_t into, bool edgeOnBoundary) const
-{
-  constexpr unsigned ofBoth = ByFirst | BySecond;
-  constexpr unsigned ofBothOnBoundary = ByFirstOnBoundary | BySecondOnBoundary;
-  for (const auto tet : this->Mesh.GetRing(point))
-  {
-    for (const auto corner : this->Mesh.GetTet(tet))
-    {
-      const unsigned marks = this->Marks[corner];
-      if (corner == point || corner == into || (marks & ofBoth) != ofBoth)
-      {
-        continue;
-      }
-      const bool isOutside = edgeOnBoundary && (marks & ofBothOnBoundary) == ofBothOnBoundary &&
-        (marks & OfEdgeOnBoundary) == 0;
-      if ((marks & OfEdge) == 0 || isOutside)
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-/** Edges of both links, which make a triangle with each of the two points, are in that of the edge;
- * and there are no triangles of both. */
-bool MergeLinks::ShareNoOtherTriangle(std::uint32_t point, std::uint32_t into) const
+/** Points of both links are in that of the edge; so are edges of both links, which make a triangle
+ * with each of the two points; and there are no triangles of both. */
+bool MergeLinks::ShareNoOthers(std::uint32_t point, std::uint32_t into) const
 {
   for (const auto tet : this->Mesh.GetRing(point))
   {
-    const MergeMesh::Tet corners = this->Mesh.GetTet(tet);
-    if (MergeMesh::FindCorner(corners, into) < 4)
-    {
-      continue;
-    }
-    std::array<std::uint32_t, 3> common{};
-    unsigned n = 0;
+    const MergeMesh::Tet& corners = this->Mesh.GetTet(tet);
+    unsigned all = 0;
+    unsigned other = 0;
+    unsigned common = 0;
     for (const auto corner : corners)
     {
-      if (corner != point && (this->Marks[corner] & BySecond) != 0)
-      {
-        common[n++] = corner;
-      }
+      const unsigned marks = this->Marks[corner];
+      all |= marks;
+      other |= Other[marks];
+      common += marks & BySecond;
     }
-    for (unsigned i = 0; i < n; ++i)
+    if (other != 0)
     {
-      for (unsigned j = i + 1; j < n; ++j)
-      {
-        if (!this->IsInEdgeLink(common[i], common[j]) && this->HaveTet(into, common[i], common[j]))
-        {
-          return false;
-        }
-      }
+      return false;
     }
-    if (n == 3 && this->HasTet(into, common[0], common[1], common[2]))
+    if (common > BySecond && (all & IsInto) == 0 && this->ShareTriangle(corners, into))
     {
       return false;
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+/** Whether an edge or a triangle of a tetrahedron of the first point, without that point, is also
+ * in the link of the second one, and not in that of the edge. */
+bool MergeLinks::ShareTriangle(const MergeMesh::Tet& corners, std::uint32_t into) const
+{
+  std::array<std::uint32_t, 3> common{};
+  unsigned n = 0;
+  for (const auto corner : corners)
+  {
+    if ((this->Marks[corner] & BySecond) != 0)
+    {
+      common[n++] = corner;
+    }
+  }
+  for (unsigned i = 0; i < n; ++i)
+  {
+    for (unsigned j = i + 1; j < n; ++j)
+    {
+      if (!this->IsInEdgeLink(common[i], common[j]) && this->HaveTet(into, common[i], common[j]))
+      {
+        return true;
+      }
+    }
+  }
+  return n == 3 && this->HasTet(into, common[0], common[1], common[2]);
 }
 
 //------------------------------------------------------------------------------
@@ -241,5 +270,4 @@ bool MergeLinks::ShareBoundaryFace(std::uint32_t point, std::uint32_t into) cons
   }
   return false;
 }
-
 }

@@ -33,10 +33,11 @@ public:
 
 private:
   void Mark(std::uint32_t point, unsigned marks);
-  void MarkNeighbors(std::uint32_t point, std::uint8_t neighbor, std::uint8_t boundaryNeighbor);
+  void MarkNeighbors(std::uint32_t point, unsigned neighbor);
+  void MarkBoundary(std::uint32_t point, unsigned boundaryNeighbor);
   void MarkEdge(std::uint32_t point, std::uint32_t into);
-  bool ShareNoOtherPoint(std::uint32_t point, std::uint32_t into, bool edgeOnBoundary) const;
-  bool ShareNoOtherTriangle(std::uint32_t point, std::uint32_t into) const;
+  bool ShareNoOthers(std::uint32_t point, std::uint32_t into) const;
+  bool ShareTriangle(const MergeMesh::Tet& corners, std::uint32_t into) const;
   bool ShareBoundaryFace(std::uint32_t point, std::uint32_t into) const;
   bool IsInEdgeLink(std::uint32_t a, std::uint32_t b) const;
   bool HaveTet(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;

@@ -48,7 +48,18 @@ public:
     return at;
   }
 
-  /** The same for a point that is a corner, without branches. */
+  /** Whether a point is a corner of a cell, without branches. */
+  static bool HasCorner(const Cell& cell, std::uint32_t point)
+  {
+    bool has = false;
+    for (const auto corner : cell)
+    {
+      has |= corner == point;
+    }
+    return has;
+  }
+
+  /** The place of a point that is a corner, without branches. */
   static unsigned FindKnownCorner(const Cell& cell, std::uint32_t point)
   {
     unsigned at = 0;
@@ -73,6 +84,18 @@ public:
     for (const auto cell : this->GetRing(point))
     {
       __builtin_prefetch(&this->Cells[cell]);
+    }
+  }
+
+  /** Loads the places of the rings of the corners of these cells. */
+  void PrefetchRings(std::uint32_t point) const
+  {
+    for (const auto cell : this->GetRing(point))
+    {
+      for (const auto corner : this->Cells[cell])
+      {
+        __builtin_prefetch(&this->Rings[corner]);
+      }
     }
   }
 

@@ -352,8 +352,10 @@ private:
       });
     this->Outdated.clear();
     const std::size_t before = this->Merges.size();
-    for (const auto point : due)
+    for (std::size_t i = 0; i < due.size(); ++i)
     {
+      const auto point = due[i];
+      this->PrefetchMerges(due, i);
       const Candidate& candidate = this->Candidates[point];
       const bool isNow = candidate.Is == State::Queued && candidate.Key <= key;
       if (isNow && candidate.Changes == 0)
@@ -377,6 +379,23 @@ private:
     this->FindAll(this->Outdated);
   }
 
+  /** Loads what the merges of the next points change into the cache of the processor. */
+  void PrefetchMerges(const std::vector<std::uint32_t>& points, std::size_t i) const
+  {
+    const std::size_t last = points.size() - 1;
+    this->Mesh.PrefetchRing(points[std::min(i + 6, last)]);
+    this->Mesh.PrefetchCells(points[std::min(i + 4, last)]);
+    const auto next = points[std::min(i + 2, last)];
+    this->Mesh.PrefetchRings(next);
+    for (const auto cell : this->Mesh.GetRing(next))
+    {
+      for (const auto corner : this->Mesh.GetCell(cell))
+      {
+        __builtin_prefetch(&this->Candidates[corner]);
+      }
+    }
+  }
+
   void MergeNow(std::uint32_t point, MergeQueue::Key key)
   {
     Candidate& merged = this->Candidates[point];
@@ -395,6 +414,7 @@ private:
     {
       for (const auto corner : this->Mesh.GetCell(cell))
       {
+        this->Mesh.PrefetchRing(corner);
         this->Touch(this->Candidates[corner], corner, number);
         this->NextRank[corner] = std::max(this->NextRank[corner], rank + 1);
         if (this->PartAtOnce > 0)
