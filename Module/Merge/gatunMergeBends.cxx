@@ -86,15 +86,10 @@ inline Float4 MergeBends<N>::GetMeanSquare(std::size_t block, std::size_t field)
 {
   const std::size_t fields = this->Star.GetFields();
   const auto& corners = this->Star.Tets[block].Corners;
-  const auto spokes = [&](std::size_t k)
-  {
-    const auto at = [&](std::size_t lane)
-    { return this->Spokes[corners[k][lane] * fields + field]; };
-    return Float4{ at(0), at(1), at(2), at(3) };
-  };
-  const Float4 a = spokes(0);
-  const Float4 b = spokes(1);
-  const Float4 c = spokes(2);
+  const float* const spokes = this->Spokes.data() + field;
+  const Float4 a = GatherFour(spokes, corners[0], fields);
+  const Float4 b = GatherFour(spokes, corners[1], fields);
+  const Float4 c = GatherFour(spokes, corners[2], fields);
   const Opposite& opposite = this->Bends[block * fields + field];
   const auto& edges = opposite.Edges;
   const Float4 sum = a + b + c + opposite.Sum;

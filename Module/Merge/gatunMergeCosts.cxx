@@ -110,34 +110,41 @@ bool MergeCosts<N>::FindVolumes(std::uint32_t place)
   const auto& all = this->Star.Tets;
   const auto& offset = this->Star.Neighbors[place].Offset;
   const Triple<Double2> to{ Splat2(offset.x), Splat2(offset.y), Splat2(offset.z) };
-  const Double2 zero = Splat2(0);
   this->Volumes.resize(all.size());
-  for (std::size_t i = 0; i < 2 * all.size(); ++i)
+  for (std::size_t block = 0; block < all.size(); ++block)
   {
-    const MergeTets& tets = all[i / 2];
-    const std::size_t half = i % 2;
-    const Double2 volume = Dot(tets.Normal[half], to) + tets.Volume[half];
+    const MergeTets& tets = all[block];
     // Which tetrahedra vanish cannot be predicted, so there is no branch on that.
-    const auto stays = [&](std::size_t lane)
+    const auto& c = tets.Corners;
+    const auto kept = Split(tets.Present & (c[0] != place) & (c[1] != place) & (c[2] != place));
+    std::array<Mask2, 2> doubtful;
+    for (std::size_t half = 0; half < 2; ++half)
     {
-      const auto& c = tets.Corners;
-      const std::size_t at = 2 * half + lane;
-      const bool kept = (2 * i + lane < this->Star.NumberOfTets) & (c[0][at] != place) &
-        (c[1][at] != place) & (c[2][at] != place);
-      return kept ? 1.0 : 0.0;
-    };
-    const Double2 present{ stays(0), stays(1) };
-    const Double2 doubtful = SelectGreater(volume, tets.Least[half], zero, present);
-    for (std::size_t lane = 0; Sum(doubtful) > 0 && lane < 2; ++lane)
-    {
-      if (doubtful[lane] > 0 && this->WouldInvert(2 * i + lane, volume[lane]))
-      {
-        return false;
-      }
+      const Double2 volume = Dot(tets.Normal[half], to) + tets.Volume[half];
+      doubtful[half] = kept[half] & ~(volume > tets.Least[half]);
+      this->Volumes[block][half] = Keep(volume, kept[half]);
     }
-    this->Volumes[i / 2][half] = SelectGreater(present, zero, volume, zero);
+    if (IsAny(doubtful[0] | doubtful[1]) && this->WouldInvertAny(block, doubtful))
+    {
+      return false;
+    }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+template <std::size_t N>
+bool MergeCosts<N>::WouldInvertAny(std::size_t block, const std::array<Mask2, 2>& doubtful) const
+{
+  for (std::size_t lane = 0; lane < Lanes; ++lane)
+  {
+    if (doubtful[lane / 2][lane % 2] != 0 &&
+      this->WouldInvert(Lanes * block + lane, this->Volumes[block][lane / 2][lane % 2]))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 //------------------------------------------------------------------------------

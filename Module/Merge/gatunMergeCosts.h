@@ -11,6 +11,7 @@
 #include "gatunMergeMesh.h"
 #include "gatunMergeStar.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -45,6 +46,7 @@ private:
   std::uint32_t TakeCandidate(double mostCost);
   void Try(std::uint32_t place, bool checkTopology, MergeChoice& best);
   bool FindVolumes(std::uint32_t place);
+  bool WouldInvertAny(std::size_t block, const std::array<Mask2, 2>& doubtful) const;
   bool WouldInvert(std::size_t tet, double volume) const;
   double GetFieldChange(std::uint32_t place) const;
   double GetBendChange(std::uint32_t place, double enough);

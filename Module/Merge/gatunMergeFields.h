@@ -85,9 +85,6 @@ public:
   /** Returns one sample for each field. */
   const Sample* GetSamples(std::uint32_t point) const { return &this->At(point) + 1; }
 
-  /** Loads the data of a point into the cache of the processor. */
-  void Prefetch(std::uint32_t point) const { __builtin_prefetch(&this->At(point)); }
-
   /** Returns 1 / volume of the mesh, or 0. */
   double GetPerWhole() const { return this->PerWhole; }
 

@@ -10,52 +10,49 @@
 #include "gatunLanes.h"
 
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 
 namespace gatun
 {
 constexpr std::size_t Lanes = 4; // of a block
 
-#if defined(__GNUC__)
 using Double2 = double __attribute__((vector_size(16)));
+
+/** All bits of a lane, or none. */
+using Mask2 = std::int64_t __attribute__((vector_size(16)));
 
 /** a in lanes where l > r, else b. */
 GATUN_INLINE Double2 SelectGreater(Double2 l, Double2 r, Double2 a, Double2 b)
 {
   return l > r ? a : b;
 }
-#else
-struct Double2
-{
-  std::array<double, 2> Two;
-  double operator[](std::size_t i) const { return this->Two[i]; }
-};
 
-inline Double2 operator+(const Double2& a, const Double2& b)
+/** v in the lanes of a mask, else 0. */
+GATUN_INLINE Double2 Keep(Double2 v, Mask2 mask)
 {
-  return { { a[0] + b[0], a[1] + b[1] } };
+  return std::bit_cast<Double2>(std::bit_cast<Mask2>(v) & mask);
 }
 
-inline Double2 operator-(const Double2& a, const Double2& b)
+/** A mask of four lanes as two of two. */
+GATUN_INLINE std::array<Mask2, 2> Split(Int4 mask)
 {
-  return { { a[0] - b[0], a[1] - b[1] } };
+  return { std::bit_cast<Mask2>(__builtin_shufflevector(mask, mask, 0, 0, 1, 1)),
+    std::bit_cast<Mask2>(__builtin_shufflevector(mask, mask, 2, 2, 3, 3)) };
 }
 
-inline Double2 operator*(const Double2& a, const Double2& b)
+GATUN_INLINE bool IsAny(Mask2 mask)
 {
-  return { { a[0] * b[0], a[1] * b[1] } };
+  return (mask[0] | mask[1]) != 0;
 }
 
-inline Double2 operator/(const Double2& a, const Double2& b)
+/** Four of many numbers, a stride apart. */
+GATUN_INLINE Float4 GatherFour(const float* from, const UInt4& places, std::size_t stride)
 {
-  return { { a[0] / b[0], a[1] / b[1] } };
+  return Float4{ from[places[0] * stride], from[places[1] * stride], from[places[2] * stride],
+    from[places[3] * stride] };
 }
-
-inline Double2 SelectGreater(const Double2& l, const Double2& r, const Double2& a, const Double2& b)
-{
-  return { { l[0] > r[0] ? a[0] : b[0], l[1] > r[1] ? a[1] : b[1] } };
-}
-#endif
 
 GATUN_INLINE Double2 Splat2(double value)
 {

@@ -79,6 +79,8 @@ void MergeStar<N>::GatherCorners(std::uint32_t point)
   this->Corners.resize(3 * ring.size() + 1);
   Corner* const found = this->Corners.data();
   MergeTets* const blocks = this->Tets.data();
+  const Sample* const samples = this->Given.GetData(0);
+  const std::size_t each = 1 + this->GetFields();
   std::uint32_t number = 0;
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
@@ -89,7 +91,7 @@ void MergeStar<N>::GatherCorners(std::uint32_t point)
       const std::uint32_t corner = corners[others[k]];
       const std::uint32_t known = places[corner];
       const std::uint32_t isNew = known == 0 ? 1 : 0;
-      this->Given.Prefetch(corner);
+      __builtin_prefetch(samples + corner * each);
       found[number] = { corner, 0 };
       number += isNew;
       const std::uint32_t place = known + isNew * number;
@@ -98,8 +100,13 @@ void MergeStar<N>::GatherCorners(std::uint32_t point)
       ++found[place - 1].Tets;
     }
   }
+  for (std::size_t block = 0; block < this->Tets.size(); ++block)
+  {
+    blocks[block].Present = Int4{ -1, -1, -1, -1 };
+  }
   for (std::size_t i = ring.size(); i < Lanes * this->Tets.size(); ++i)
   {
+    blocks[i / Lanes].Present[i % Lanes] = 0;
     for (auto& corner : blocks[i / Lanes].Corners)
     {
       corner[i % Lanes] = corner[i % Lanes - 1];
@@ -163,14 +170,13 @@ void MergeStar<N>::GatherTets()
     const Double2 oriented = Dot(p0, across[0]);
     const Double2 sign = SelectGreater(zero, oriented, Splat2(1), Splat2(-1));
     const Double2 volume = zero - sign * oriented;
-    const Double2 present{ 2 * i < this->NumberOfTets ? 1.0 : 0.0,
-      2 * i + 1 < this->NumberOfTets ? 1.0 : 0.0 };
+    const Mask2 present = Split(block.Present)[half];
     block.Normal[half] = sign * (across[0] + across[1] + across[2]);
     block.Volume[half] = volume;
     block.Least[half] =
-      SelectGreater(volume * present, zero, Splat2(1e-3) * volume, Splat2(MergeChoice::Never));
-    block.Weight[half] = present * (Splat2(this->PerVolume) * volume + Splat2(this->PerTet));
-    volumes = volumes + present * volume;
+      SelectGreater(Keep(volume, present), zero, Splat2(1e-3) * volume, Splat2(MergeChoice::Never));
+    block.Weight[half] = Keep(Splat2(this->PerVolume) * volume + Splat2(this->PerTet), present);
+    volumes = volumes + Keep(volume, present);
     const Double2 weight = SelectGreater(volume, zero, block.Weight[half], zero);
     const Double2 inverse = SelectGreater(volume, zero, Splat2(1) / oriented, zero);
     for (std::size_t f = 0; f < fields; ++f)

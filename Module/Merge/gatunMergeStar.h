@@ -81,7 +81,8 @@ struct MergeTets
   std::array<Double2, 2> Volume;
   std::array<Double2, 2> Least;  // larger volumes are fine; infinite for flat ones and copies
   std::array<Double2, 2> Weight; // of changes in it
-  std::array<std::array<std::uint32_t, Lanes>, 3> Corners; // as places among the neighbors
+  std::array<UInt4, 3> Corners;  // as places among the neighbors
+  Int4 Present;                  // a mask: not for copies
 };
 
 /** The gradients of a field in four tetrahedra, relative to that at the point. */
