@@ -23,6 +23,7 @@ public:
   MergeReplay(std::uint32_t points, std::span<const Cell> cells)
     : Mesh(points, cells)
     , Last(cells.size(), None)
+    , IsBared(cells.size(), false)
   {
   }
 
@@ -30,17 +31,26 @@ public:
   std::span<const std::uint32_t> Do(std::uint32_t number, const Merge& merge)
   {
     this->FindEarlier(merge.Point);
-    for (const auto cell : this->Mesh.GetRing(merge.Point))
+    const auto ring = this->Mesh.GetRing(merge.Point);
+    this->Around.clear();
+    for (const auto cell : ring)
     {
-      this->Bared.erase(cell); // the merge depends on these already
-      const Cell& corners = this->Mesh.GetCell(cell);
-      if (Rings::FindCorner(corners, merge.Into) < Corners)
+      this->Around.push_back(this->Mesh.GetCell(cell));
+    }
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      if (this->IsBared[ring[i]])
       {
-        this->PassBoundaryOn(number, cell, merge);
+        this->Bared.erase(ring[i]); // the merge depends on these already
+        this->IsBared[ring[i]] = false;
+      }
+      if (Rings::HasCorner(this->Around[i], merge.Into))
+      {
+        this->PassBoundaryOn(number, i, merge);
       }
       else
       {
-        this->Last[cell] = number;
+        this->Last[ring[i]] = number;
       }
     }
     this->Mesh.Merge(merge.Point, merge.Into);
@@ -60,9 +70,10 @@ private:
       {
         this->Earlier.push_back(this->Last[cell]);
       }
-      if (const auto bared = this->Bared.find(cell); bared != this->Bared.end())
+      if (this->IsBared[cell])
       {
-        this->Earlier.insert(this->Earlier.end(), bared->second.begin(), bared->second.end());
+        const auto& bared = this->Bared[cell];
+        this->Earlier.insert(this->Earlier.end(), bared.begin(), bared.end());
       }
     }
     std::sort(this->Earlier.begin(), this->Earlier.end());
@@ -73,36 +84,41 @@ private:
   /** A cell that vanishes has two sides that become one: that of the point and that of the one that
    * it is merged into. If the first is on the boundary, the cell behind the second gets there
    * without being changed. */
-  void PassBoundaryOn(std::uint32_t number, std::uint32_t vanishing, const Merge& merge)
+  void PassBoundaryOn(std::uint32_t number, std::size_t vanishing, const Merge& merge)
   {
-    const Cell& corners = this->Mesh.GetCell(vanishing);
-    const auto hasRest = [&](std::uint32_t cell)
+    const Cell corners = this->Around[vanishing];
+    const auto hasRest = [&](const Cell& cell)
     {
-      return cell != vanishing &&
-        std::all_of(corners.begin(), corners.end(),
-          [&](std::uint32_t corner)
-          {
-            return corner == merge.Point || corner == merge.Into ||
-              Rings::FindCorner(this->Mesh.GetCell(cell), corner) < Corners;
-          });
+      bool has = true;
+      for (const auto corner : corners)
+      {
+        has &= corner == merge.Point || corner == merge.Into || Rings::HasCorner(cell, corner);
+      }
+      return has;
     };
-    const auto around = this->Mesh.GetRing(merge.Point);
-    if (std::any_of(around.begin(), around.end(), hasRest))
+    for (std::size_t i = 0; i < this->Around.size(); ++i)
     {
-      return;
+      if (i != vanishing && hasRest(this->Around[i]))
+      {
+        return;
+      }
     }
     for (const auto cell : this->Mesh.GetRing(merge.Into))
     {
-      if (hasRest(cell) && Rings::FindCorner(this->Mesh.GetCell(cell), merge.Point) == Corners)
+      const Cell& other = this->Mesh.GetCell(cell);
+      if (hasRest(other) && !Rings::HasCorner(other, merge.Point))
       {
         this->Bared[cell].push_back(number);
+        this->IsBared[cell] = true;
       }
     }
   }
 
   Rings Mesh;
+  std::vector<Cell> Around;        // the point of the merge
   std::vector<std::uint32_t> Last; // the merge that changed each cell last
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> Bared; // since then, by cells
+  std::vector<bool> IsBared; // whether each cell has some, which is faster to ask for
   std::vector<std::uint32_t> Earlier;
 };
 }
