@@ -30,19 +30,14 @@ public:
   /** Does a merge. Returns what it depends on, until the next call. */
   std::span<const std::uint32_t> Do(std::uint32_t number, const Merge& merge)
   {
-    this->FindEarlier(merge.Point);
-    const auto ring = this->Mesh.GetRing(merge.Point);
-    this->Around.clear();
-    for (const auto cell : ring)
+    this->FindAround(merge.Point);
+    this->FindEarlier();
+    for (std::size_t i = 0; i < this->Ring.size(); ++i)
     {
-      this->Around.push_back(this->Mesh.GetCell(cell));
-    }
-    for (std::size_t i = 0; i < ring.size(); ++i)
-    {
-      if (this->IsBared[ring[i]])
+      if (this->IsBared[this->Ring[i]])
       {
-        this->Bared.erase(ring[i]); // the merge depends on these already
-        this->IsBared[ring[i]] = false;
+        this->Bared.erase(this->Ring[i]); // the merge depends on these already
+        this->IsBared[this->Ring[i]] = false;
       }
       if (Rings::HasCorner(this->Around[i], merge.Into))
       {
@@ -50,10 +45,10 @@ public:
       }
       else
       {
-        this->Last[ring[i]] = number;
+        this->Last[this->Ring[i]] = number;
       }
     }
-    this->Mesh.Merge(merge.Point, merge.Into);
+    this->Mesh.MergeLazily(merge.Point, merge.Into);
     return this->Earlier;
   }
 
@@ -61,10 +56,26 @@ private:
   using Rings = MergeRings<Corners>;
   static constexpr std::uint32_t None = 0xffffffffu;
 
-  void FindEarlier(std::uint32_t point)
+  /** The cells of a point that have not been removed. */
+  void FindAround(std::uint32_t point)
+  {
+    this->Ring.clear();
+    this->Around.clear();
+    for (const auto cell : this->Mesh.GetRing(point))
+    {
+      const Cell& corners = this->Mesh.GetCell(cell);
+      if (corners[0] != None)
+      {
+        this->Ring.push_back(cell);
+        this->Around.push_back(corners);
+      }
+    }
+  }
+
+  void FindEarlier()
   {
     this->Earlier.clear();
-    for (const auto cell : this->Mesh.GetRing(point))
+    for (const auto cell : this->Ring)
     {
       if (this->Last[cell] != None)
       {
@@ -106,7 +117,7 @@ private:
     for (const auto cell : this->Mesh.GetRing(merge.Into))
     {
       const Cell& other = this->Mesh.GetCell(cell);
-      if (hasRest(other) && !Rings::HasCorner(other, merge.Point))
+      if (other[0] != None && hasRest(other) && !Rings::HasCorner(other, merge.Point))
       {
         this->Bared[cell].push_back(number);
         this->IsBared[cell] = true;
@@ -115,7 +126,8 @@ private:
   }
 
   Rings Mesh;
-  std::vector<Cell> Around;        // the point of the merge
+  std::vector<std::uint32_t> Ring; // the cells around the point of the merge
+  std::vector<Cell> Around;        // their corners
   std::vector<std::uint32_t> Last; // the merge that changed each cell last
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> Bared; // since then, by cells
   std::vector<bool> IsBared; // whether each cell has some, which is faster to ask for

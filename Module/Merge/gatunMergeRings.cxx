@@ -66,15 +66,33 @@ void MergeRings<Corners>::RemoveFromRing(std::uint32_t point, std::uint32_t cell
 template <std::size_t Corners>
 void MergeRings<Corners>::Merge(std::uint32_t point, std::uint32_t into)
 {
+  this->MergeRing<false>(point, into);
+}
+
+template <std::size_t Corners>
+void MergeRings<Corners>::MergeLazily(std::uint32_t point, std::uint32_t into)
+{
+  this->MergeRing<true>(point, into);
+}
+
+//------------------------------------------------------------------------------
+template <std::size_t Corners>
+template <bool IsLazy>
+void MergeRings<Corners>::MergeRing(std::uint32_t point, std::uint32_t into)
+{
   this->Moved.clear();
   for (const auto cell : this->GetRing(point))
   {
     Cell& corners = this->Cells[cell];
-    if (FindCorner(corners, into) < Corners)
+    if (IsLazy && corners[0] == None)
+    {
+      continue;
+    }
+    if (HasCorner(corners, into))
     {
       for (const auto corner : corners)
       {
-        if (corner != point && corner != into)
+        if (!IsLazy && corner != point && corner != into)
         {
           this->RemoveFromRing(corner, cell);
         }
@@ -83,7 +101,7 @@ void MergeRings<Corners>::Merge(std::uint32_t point, std::uint32_t into)
     }
     else
     {
-      corners[FindCorner(corners, point)] = into;
+      corners[FindKnownCorner(corners, point)] = into;
       this->Moved.push_back(cell);
     }
   }

@@ -105,6 +105,10 @@ public:
   /** Merges a point into a neighbor. */
   void Merge(std::uint32_t point, std::uint32_t into);
 
+  /** The same, but rings of other points keep the cells that are removed until these are merged,
+   * which is faster if few of them are looked at. */
+  void MergeLazily(std::uint32_t point, std::uint32_t into);
+
 private:
   struct Ring
   {
@@ -112,6 +116,8 @@ private:
     std::uint32_t Count = 0;
   };
 
+  template <bool IsLazy>
+  void MergeRing(std::uint32_t point, std::uint32_t into);
   void RemoveFromRing(std::uint32_t point, std::uint32_t cell);
   void Compact();
 
