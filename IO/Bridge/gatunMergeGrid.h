@@ -10,6 +10,7 @@
 #include "gatunMergeBuilder.h"
 #include "gatunMergeTree.h"
 #include "gatunSurfaceMergeBuilder.h"
+#include "gatunTypes.h"
 
 #include <array>
 #include <cstdint>
