@@ -94,6 +94,9 @@ gatun_set_options(-Os
   Describe/gatunLayerDescription.cxx
   Describe/gatunMeshDescription.cxx
   Describe/gatunVolumeDescription.cxx
+  Merge/gatunDependencyCheck.cxx
+  Merge/gatunMergeInputCheck.cxx
+  Merge/gatunSimplifyTarget.cxx
   Parts/gatunBrickBuilder.cxx
   Parts/gatunBrickDivision.cxx
   Parts/gatunBrickFile.cxx

@@ -64,27 +64,13 @@ void MergeRings<Corners>::RemoveFromRing(std::uint32_t point, std::uint32_t cell
 
 //------------------------------------------------------------------------------
 template <std::size_t Corners>
-void MergeRings<Corners>::Merge(std::uint32_t point, std::uint32_t into)
-{
-  this->MergeRing<false>(point, into);
-}
-
-template <std::size_t Corners>
-void MergeRings<Corners>::MergeLazily(std::uint32_t point, std::uint32_t into)
-{
-  this->MergeRing<true>(point, into);
-}
-
-//------------------------------------------------------------------------------
-template <std::size_t Corners>
-template <bool IsLazy>
-void MergeRings<Corners>::MergeRing(std::uint32_t point, std::uint32_t into)
+void MergeRings<Corners>::MergeRing(std::uint32_t point, std::uint32_t into, bool isLazy)
 {
   this->Moved.clear();
   for (const auto cell : this->GetRing(point))
   {
     Cell& corners = this->Cells[cell];
-    if (IsLazy && corners[0] == None)
+    if (isLazy && corners[0] == None)
     {
       continue;
     }
@@ -92,7 +78,7 @@ void MergeRings<Corners>::MergeRing(std::uint32_t point, std::uint32_t into)
     {
       for (const auto corner : corners)
       {
-        if (!IsLazy && corner != point && corner != into)
+        if (!isLazy && corner != point && corner != into)
         {
           this->RemoveFromRing(corner, cell);
         }

@@ -103,11 +103,11 @@ public:
   void PrefetchCorners(std::uint32_t) const {}
 
   /** Merges a point into a neighbor. */
-  void Merge(std::uint32_t point, std::uint32_t into);
+  void Merge(std::uint32_t point, std::uint32_t into) { this->MergeRing(point, into, false); }
 
   /** The same, but rings of other points keep the cells that are removed until these are merged,
    * which is faster if few of them are looked at. */
-  void MergeLazily(std::uint32_t point, std::uint32_t into);
+  void MergeLazily(std::uint32_t point, std::uint32_t into) { this->MergeRing(point, into, true); }
 
 private:
   struct Ring
@@ -116,8 +116,7 @@ private:
     std::uint32_t Count = 0;
   };
 
-  template <bool IsLazy>
-  void MergeRing(std::uint32_t point, std::uint32_t into);
+  void MergeRing(std::uint32_t point, std::uint32_t into, bool isLazy);
   void RemoveFromRing(std::uint32_t point, std::uint32_t cell);
   void Compact();
 
