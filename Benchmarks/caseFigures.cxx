@@ -185,8 +185,8 @@ void DrawSimplified(SimplifiedImage& image, const std::shared_ptr<const gatun::F
     gatun::SharedFile meshes(file);
     const auto place =
       meshes.Find(CountMerges(ratio, file->GetNumberOfPoints(), file->GetNumberOfMerges()));
-    gatun::CoarseRaySource source(
-      place.File, *place.Tree, gatun::MergeCut(*place.Tree, place.Merges), values, 0);
+    gatun::CoarseRaySource source(meshes.MakeView(place.File, false), *place.Tree,
+      gatun::MergeCut(*place.Tree, place.Merges), values);
     caster.Draw(source);
   }
   else

@@ -8,7 +8,7 @@
 namespace gatun
 {
 //------------------------------------------------------------------------------
-ChunkedSurface* ChunkBuffers::Add(std::shared_ptr<const SurfaceMesh> mesh)
+ChunkedSurface* ChunkBuffers::Add(std::shared_ptr<const SurfaceLevel> mesh)
 {
   const std::size_t chunks = mesh->GetNumberOfChunks();
   return &this->Surfaces.emplace_back(

@@ -4,7 +4,7 @@
 #ifndef gatunChunkBuffers_h
 #define gatunChunkBuffers_h
 
-#include "gatunSurfaceMesh.h"
+#include "gatunSurfaceLevel.h"
 #include "vtkGatunChunkMapper.h"
 
 #include "vtkSmartPointer.h"
@@ -37,7 +37,7 @@ struct SurfaceChunk
 /** The surface, or one of its levels of detail. */
 struct ChunkedSurface
 {
-  std::shared_ptr<const SurfaceMesh> Mesh;
+  std::shared_ptr<const SurfaceLevel> Mesh;
   std::vector<SurfaceChunk> Chunks;
 };
 
@@ -47,7 +47,7 @@ class ChunkBuffers
 {
 public:
   /** Adds a surface without buffers. */
-  ChunkedSurface* Add(std::shared_ptr<const SurfaceMesh> mesh);
+  ChunkedSurface* Add(std::shared_ptr<const SurfaceLevel> mesh);
 
   /** Removes a surface that was added, and frees its chunks. Null: does nothing. */
   void Remove(ChunkedSurface* surface);

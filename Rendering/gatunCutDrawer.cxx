@@ -144,9 +144,15 @@ void CutDrawer::Request(const SurfaceImage& image, double budget)
 }
 
 //------------------------------------------------------------------------------
-void CutDrawer::SetNext(std::shared_ptr<const SurfaceCut> mesh)
+void CutDrawer::SetNext(std::shared_ptr<const SurfaceLevel> mesh)
 {
   this->Drop(this->Next);
+  const auto changes = this->Present.Mesh ? mesh->FindChanges(*this->Present.Mesh) : std::nullopt;
+  this->Next.IsNew.assign(mesh->GetNumberOfChunks(), !changes);
+  for (std::size_t i = 0; changes && i < changes->size(); ++i)
+  {
+    this->Next.IsNew[(*changes)[i]] = true;
+  }
   this->Next.Chunks = this->Chunks.Buffers.Add(mesh);
   this->Next.Mesh = std::move(mesh);
 }
@@ -180,9 +186,7 @@ std::vector<std::uint32_t> CutDrawer::ListNeeded() const
   std::vector<std::uint32_t> chunks;
   for (std::uint32_t i = 0; i < cut.Chunks->Chunks.size(); ++i)
   {
-    const bool isKept = this->IsAdvancing() && this->Present.Mesh &&
-      !this->Next.Mesh->Differs(i, *this->Present.Mesh);
-    if (cut.Mesh->GetNumberOfCells(i) > 0 && !isKept)
+    if (cut.Mesh->GetNumberOfCells(i) > 0 && (cut.IsNew[i] || !this->IsAdvancing()))
     {
       chunks.push_back(i);
     }
@@ -198,9 +202,9 @@ void CutDrawer::Adopt()
   {
     std::vector<SurfaceChunk>& before = this->Present.Chunks->Chunks;
     std::vector<SurfaceChunk>& after = this->Next.Chunks->Chunks;
-    for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i)
+    for (std::size_t i = 0; i < after.size(); ++i)
     {
-      if (!this->Next.Mesh->Differs(i, *this->Present.Mesh))
+      if (!this->Next.IsNew[i])
       {
         this->Chunks.Buffers.Drop(after[i]);
         std::swap(after[i], before[i]);

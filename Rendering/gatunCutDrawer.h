@@ -52,14 +52,15 @@ private:
   /** A surface for a view. */
   struct Cut
   {
-    std::shared_ptr<const SurfaceCut> Mesh; // null for none
+    std::shared_ptr<const SurfaceLevel> Mesh; // null for none
     ChunkedSurface* Chunks = nullptr;
+    std::vector<bool> IsNew; // for each chunk, whether that of the present surface is another one
   };
 
   bool CanCut(const SurfaceImage& image) const;
   std::optional<SurfaceCutOrder> MakeOrder(const SurfaceImage& image) const;
   std::uint64_t CountPoints(double budget);
-  void SetNext(std::shared_ptr<const SurfaceCut> mesh);
+  void SetNext(std::shared_ptr<const SurfaceLevel> mesh);
   void Take();
   std::vector<std::uint32_t> ListNeeded() const;
   void Advance(const SurfaceImage& image, double seconds);

@@ -240,16 +240,24 @@ LevelDrawer::Plan LevelDrawer::MakePlan(const SurfaceImage& image, double budget
 }
 
 //------------------------------------------------------------------------------
+/** Makes the level that is wanted ready, as far as there is time beside the one that is shown with
+ * so many cells. */
+void LevelDrawer::Advance(const SurfaceImage& image, std::size_t wanted, const VisibleChunks& view,
+  std::size_t shown, std::uint64_t cells)
+{
+  ChunkedSurface& level = *this->Levels[wanted];
+  this->Chunks.Prepare(image, level, this->ListLikely(level, view));
+  const double seconds = this->Chunks.Times.Predict(shown, cells);
+  this->Chunks.Transfer(image, level, view, TransferAim * this->MotionBudget - seconds);
+}
+
+//------------------------------------------------------------------------------
 void LevelDrawer::DrawInMotion(const SurfaceImage& image, const Plan& plan, bool advances)
 {
   std::size_t shown = plan.Shown;
   if (shown != plan.Wanted && advances)
   {
-    ChunkedSurface& level = *this->Levels[plan.Wanted];
-    const VisibleChunks& view = plan.Views[plan.Wanted];
-    this->Chunks.Prepare(image, level, this->ListLikely(level, view));
-    const double seconds = this->Chunks.Times.Predict(shown, plan.Views[shown].Cells);
-    this->Chunks.Transfer(image, level, view, TransferAim * this->MotionBudget - seconds);
+    this->Advance(image, plan.Wanted, plan.Views[plan.Wanted], shown, plan.Views[shown].Cells);
     shown = this->FindReady(image, plan.Views, plan.Wanted);
   }
   this->DrawLevel(image, shown, plan.Views[shown]);
@@ -272,11 +280,8 @@ void LevelDrawer::DrawShared(const SurfaceImage& image, const LevelChoice& choic
   const VisibleChunks view = this->Chunks.FindVisible(image, *this->Levels[shown]);
   if (wanted != shown)
   {
-    ChunkedSurface& level = *this->Levels[wanted];
-    const VisibleChunks next = this->Chunks.FindVisible(image, level);
-    this->Chunks.Prepare(image, level, this->ListLikely(level, next));
-    const double seconds = this->Chunks.Times.Predict(shown, view.Cells);
-    this->Chunks.Transfer(image, level, next, TransferAim * this->MotionBudget - seconds);
+    const VisibleChunks next = this->Chunks.FindVisible(image, *this->Levels[wanted]);
+    this->Advance(image, wanted, next, shown, view.Cells);
   }
   this->DrawLevel(image, shown, view);
 }

@@ -88,6 +88,8 @@ private:
   std::vector<VisibleChunks> FindAllVisible(const SurfaceImage& image) const;
   std::size_t FindReady(
     const SurfaceImage& image, const std::vector<VisibleChunks>& views, std::size_t from) const;
+  void Advance(const SurfaceImage& image, std::size_t wanted, const VisibleChunks& view,
+    std::size_t shown, std::uint64_t cells);
   void DrawLevel(const SurfaceImage& image, std::size_t level, const VisibleChunks& view);
 
   ChunkDrawer& Chunks;

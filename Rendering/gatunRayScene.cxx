@@ -126,8 +126,11 @@ void RayScene::SetGrid(
     original.GetMesh(), original.GetValues(), original.GetHidden());
   const LevelOfDetailCache::Limits limits = Divide(budget);
   auto whole = MakeWholeSource(mesh, limits.Whole);
-  this->Levels = std::make_unique<LevelOfDetailCache>([mesh](const RaySource::Progress& progress)
-    { return std::make_shared<MemoryLevelsOfDetail>(mesh, mesh->BuildTree(progress)); },
+  this->Levels = std::make_unique<LevelOfDetailCache>(
+    [mesh, limits](const RaySource::Progress& progress) {
+      return std::make_shared<MemoryLevelsOfDetail>(
+        mesh, mesh->BuildTree(progress), limits.Simpler);
+    },
     whole, limits);
   const Range values = GetWholeRange(*whole);
   this->Take(key, std::move(whole), values);

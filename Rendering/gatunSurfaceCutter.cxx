@@ -3,11 +3,11 @@
 
 #include "gatunSurfaceCutter.h"
 
+#include "gatunBaseMeshes.h"
 #include "gatunDetailWeights.h"
 #include "gatunFileReader.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -15,8 +15,9 @@ namespace gatun
 {
 namespace
 {
-// Points of a base mesh for each one that may be left.
-constexpr std::uint64_t BasePoints = 8;
+// Memory of a base mesh: a point, its normal, its merge and dependencies, two triangles, and what
+// choosing takes.
+constexpr std::uint64_t BytesPerPoint = 160;
 }
 
 //------------------------------------------------------------------------------
@@ -26,8 +27,6 @@ void SurfaceCutter::Clear()
   this->Take();
   this->Bases.clear();
   this->Coarsest = nullptr;
-  this->FirstErrors.clear();
-  this->Last = nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -63,15 +62,13 @@ SurfaceCutResult SurfaceCutter::CarryOut(const SurfaceCutOrder& order, const Pro
   SurfaceCutResult result;
   try
   {
-    const auto base = this->FindBase(order, progress);
-    if (!base)
+    const Base base = this->FindBase(order, progress);
+    if (base.Detail)
     {
-      return result;
+      const std::size_t before = order.Source.File->GetMergesOfLevel(base.Level);
+      result.Cut = std::make_shared<const SurfaceLevel>(order.Source, base.Level,
+        base.Detail->Choose(order.View, order.Merges - std::min(order.Merges, before)), order.What);
     }
-    const std::size_t first = order.Merges - std::min(order.Merges, base->GetMerges());
-    result.Cut = std::make_shared<const SurfaceCut>(
-      base, base->GetDetail().Choose(order.View, first), this->Last.get());
-    this->Last = result.Cut;
   }
   catch (...)
   {
@@ -94,89 +91,59 @@ double SurfaceCutter::BoundWeights(const SurfaceCutOrder& order, const Progress&
   }
   if (!this->Coarsest)
   {
-    this->Coarsest = std::make_shared<const SurfaceBase>(
-      order.Source, file.GetLevels().back(), order.What, progress);
+    this->Coarsest =
+      ReadSurfaceDetail(*order.Source.File, file.GetLevels().size(), order.What.Step, progress);
   }
-  return this->Coarsest->GetDetail().BoundWeights(order.View);
+  return this->Coarsest->BoundWeights(order.View);
 }
 
 //------------------------------------------------------------------------------
-/** Whether no merge before a base mesh is more than the view allows, or it has enough points.
- * Weight: the largest one. */
-bool SurfaceCutter::IsFineEnough(const SurfaceCutOrder& order, std::size_t merges, double weight)
+/** The base mesh for an order; none if there is no room for one that is fine enough. */
+SurfaceCutter::Base SurfaceCutter::FindBase(const SurfaceCutOrder& order, const Progress& progress)
 {
-  const FileReader& file = *order.Source.File->GetFile();
-  const std::uint64_t points = file.GetNumberOfPoints() - merges;
-  const SurfaceDetailView& view = order.View;
-  if (view.Points < file.GetNumberOfPoints())
-  {
-    return points / BasePoints >= view.Points;
-  }
-  if (!this->FirstErrors.contains(merges))
-  {
-    const MergeTree tree = order.Source.File->Find(merges).File->GetMergeTree();
-    this->FirstErrors[merges] = tree.GetMerges().empty() ? std::numeric_limits<double>::infinity()
-                                                         : double{ tree.GetMerges().front().Error };
-  }
-  return weight * this->FirstErrors[merges] <= view.PixelError;
-}
-
-//------------------------------------------------------------------------------
-/** The base mesh for an order; null if there is no room for it. */
-std::shared_ptr<const SurfaceBase> SurfaceCutter::FindBase(
-  const SurfaceCutOrder& order, const Progress& progress)
-{
-  const FileReader& file = *order.Source.File->GetFile();
-  std::vector<std::size_t> levels{ 0 };
-  levels.insert(levels.end(), file.GetLevels().begin(), file.GetLevels().end());
-  const bool isCounted = order.View.Points < file.GetNumberOfPoints();
-  const auto fits = [&](std::size_t merges)
-  { return SurfaceBase::EstimateBytes(file.GetNumberOfPoints() - merges) <= order.MemoryLimit; };
-  const auto isKnown = [&](const auto& base)
-  { return base->GetSource().File == order.Source.File && base->GetContents() == order.What; };
-  if (isCounted && !this->Bases.empty() && isKnown(this->Bases.front()))
+  SharedFile& file = *order.Source.File;
+  const std::uint64_t all = file.GetFile()->GetNumberOfPoints();
+  const bool isCounted = order.View.Points < all;
+  const auto countPoints = [&](std::size_t level) { return all - file.GetMergesOfLevel(level); };
+  if (isCounted && !this->Bases.empty())
   {
     // The last one, as long as it is not much too coarse or too fine.
-    const std::uint64_t points =
-      (file.GetNumberOfPoints() - this->Bases.front()->GetMerges()) / BasePoints;
+    const std::uint64_t points = countPoints(this->Bases.front().Level) / FinestToUniform;
     if (2 * points >= order.View.Points && points <= 4 * order.View.Points)
     {
       return this->Bases.front();
     }
   }
-  const double weight = isCounted ? 0 : this->BoundWeights(order, progress);
-  // From coarse to fine.
-  std::optional<std::size_t> found;
-  for (auto level = levels.rbegin(); level != levels.rend() && fits(*level); ++level)
+  const std::size_t levels = file.GetNumberOfLevels();
+  std::size_t finest = 0;
+  while (finest < levels && BytesPerPoint * countPoints(finest) > order.MemoryLimit)
   {
-    const bool isEnough = this->IsFineEnough(order, *level, weight);
-    found = isEnough || *level == 0 || isCounted ? std::optional(*level) : std::nullopt;
-    if (isEnough)
-    {
-      break;
-    }
+    ++finest;
   }
-  if (!found)
+  if (finest == levels)
   {
-    return nullptr;
+    return {};
+  }
+  const BaseNeeds needs{ order.View.Points, order.View.PixelError,
+    isCounted ? std::numeric_limits<double>::infinity() : this->BoundWeights(order, progress) };
+  const std::size_t level = FindBaseMesh(file, levels - 1, finest, needs);
+  if (!isCounted && level > 0 && !IsFineEnough(file, level, needs))
+  {
+    return {};
   }
   auto known = std::find_if(this->Bases.begin(), this->Bases.end(),
-    [&](const auto& base) { return isKnown(base) && base->GetMerges() == *found; });
+    [level](const Base& base) { return base.Level == level; });
   if (known == this->Bases.end())
   {
     // Room for the new one first.
     constexpr std::size_t kept = 1;
     this->Bases.resize(std::min(this->Bases.size(), kept));
-    const std::uint64_t both = this->Bases.empty()
-      ? 0
-      : 2 * file.GetNumberOfPoints() - this->Bases.front()->GetMerges() - *found;
-    if (SurfaceBase::EstimateBytes(both) > order.MemoryLimit)
+    const std::uint64_t before = this->Bases.empty() ? 0 : countPoints(this->Bases.front().Level);
+    if (BytesPerPoint * (before + countPoints(level)) > order.MemoryLimit)
     {
       this->Bases.clear();
-      this->Last = nullptr;
     }
-    this->Bases.push_back(
-      std::make_shared<const SurfaceBase>(order.Source, *found, order.What, progress));
+    this->Bases.push_back({ level, ReadSurfaceDetail(file, level, order.What.Step, progress) });
     known = this->Bases.end() - 1;
   }
   std::rotate(this->Bases.begin(), known, known + 1);

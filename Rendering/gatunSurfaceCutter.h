@@ -6,15 +6,12 @@
 
 #include "gatunBackgroundWorker.h"
 #include "gatunPublishedFile.h"
-#include "gatunSurfaceBase.h"
-#include "gatunSurfaceCut.h"
 #include "gatunSurfaceDetail.h"
-#include "gatunSurfaceMesh.h"
+#include "gatunSurfaceLevel.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -35,7 +32,7 @@ struct SurfaceCutOrder
  * reason why it failed. */
 struct SurfaceCutResult
 {
-  std::shared_ptr<const SurfaceCut> Cut;
+  std::shared_ptr<const SurfaceLevel> Cut;
   std::exception_ptr Failure;
 };
 
@@ -50,7 +47,7 @@ struct SurfaceCutResult
 class SurfaceCutter
 {
 public:
-  using Progress = SurfaceMesh::Progress;
+  using Progress = SurfaceLevel::Progress;
 
   /** Orders a surface from the background. Its result takes the place of one that was not taken. */
   void Request(SurfaceCutOrder order);
@@ -72,16 +69,19 @@ public:
 
 private:
   SurfaceCutResult CarryOut(const SurfaceCutOrder& order, const Progress& progress);
-  std::shared_ptr<const SurfaceBase> FindBase(
-    const SurfaceCutOrder& order, const Progress& progress);
+  /** A level of the file, and what chooses its merges. */
+  struct Base
+  {
+    std::size_t Level = 0;
+    std::shared_ptr<const SurfaceDetail> Detail; // null: there is no room for it
+  };
+
+  Base FindBase(const SurfaceCutOrder& order, const Progress& progress);
   double BoundWeights(const SurfaceCutOrder& order, const Progress& progress);
-  bool IsFineEnough(const SurfaceCutOrder& order, std::size_t merges, double weight);
 
   // While an order is carried out, by one thread at a time:
-  std::vector<std::shared_ptr<const SurfaceBase>> Bases; // the last one first
-  std::shared_ptr<const SurfaceBase> Coarsest;           // base mesh; knows how near the eye is
-  std::map<std::size_t, double> FirstErrors;             // of base meshes, by their merges
-  std::shared_ptr<const SurfaceCut> Last;
+  std::vector<Base> Bases;                       // of one file and step, the last one first
+  std::shared_ptr<const SurfaceDetail> Coarsest; // base mesh; knows how near the eye is
 
   std::optional<SurfaceCutResult> Ready; // with the lock of the worker
   BackgroundWorker Worker;

@@ -3,7 +3,7 @@
 
 #include "gatunSurfaceLevel.h"
 
-#include "gatunChangedChunks.h"
+#include "gatunCoarseLayout.h"
 #include "gatunFileReader.h"
 #include "gatunSurfaceGrid.h"
 
@@ -14,6 +14,7 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <cmath>
 #include <utility>
 
 namespace gatun
@@ -23,41 +24,53 @@ SurfaceLevel::SurfaceLevel(PublishedFile source, std::size_t merges, SurfaceCont
   : Source(std::move(source))
   , Merges(merges)
   , What(std::move(what))
-  , Place{ this->Source.File->GetFile(), nullptr, 0 }
+  , Place(PieceReader::FindPlace(this->Source, merges))
 {
-  // The same mesh as a reader chooses.
-  PieceReader reader;
-  reader.Choose(this->Source, merges, false);
-  if (merges > 0)
+  const FileReader& file = *this->Place.File;
+  const auto points = static_cast<double>(file.GetNumberOfPoints());
+  // Cells and points decrease in proportion.
+  const double left = points > 0 ? 1 - static_cast<double>(this->Place.Merges) / points : 1;
+  for (std::size_t chunk = 0; chunk < file.GetChunks().size(); ++chunk)
   {
-    const bool hasBaseMeshes = &reader.GetMesh() != this->Source.File->GetFile().get();
-    this->Place = this->Source.File->Find(merges, hasBaseMeshes);
-    const auto points = static_cast<double>(this->Place.File->GetNumberOfPoints());
-    this->Left = points > 0 ? 1 - static_cast<double>(this->Place.Merges) / points : 1;
+    this->Boxes.push_back(file.GetChunkBounds(chunk, this->Place.Merges, this->What.Step));
+    this->Cells.push_back(
+      static_cast<std::uint64_t>(left * static_cast<double>(file.GetChunks()[chunk].Cells)));
   }
-  const auto chunks = this->GetNumberOfChunks();
-  this->Boxes.reserve(chunks);
-  for (std::size_t chunk = 0; chunk < chunks; ++chunk)
+}
+
+SurfaceLevel::SurfaceLevel(
+  PublishedFile source, std::size_t level, MergeCut cut, SurfaceContents what)
+  : Source(std::move(source))
+  , Merges(this->Source.File->GetMergesOfLevel(level) + cut.GetNumberOfMerges())
+  , What(std::move(what))
+  , Place(this->Source.File->GetLevel(level))
+{
+  this->Source.RestoreOrder = false; // which base meshes do not have
+  this->Place.Merges = cut.GetLast();
+  this->Layout =
+    std::make_shared<const CoarseLayout>(this->Place.File, *this->Place.Tree, std::move(cut));
+  const auto& chunks = this->Place.File->GetChunks();
+  for (std::uint32_t chunk = 0; chunk < chunks.size(); ++chunk)
   {
-    this->Boxes.push_back(
-      this->Place.File->GetChunkBounds(chunk, this->Place.Merges, this->What.Step));
+    this->Boxes.push_back(this->Layout->GetBounds(chunk, this->What.Step));
+    const double cells =
+      this->Layout->GetShareLeft(chunk) * static_cast<double>(chunks[chunk].Cells);
+    this->Cells.push_back(static_cast<std::uint64_t>(std::ceil(cells)));
   }
 }
 
 SurfaceLevel::~SurfaceLevel() = default;
 
 //------------------------------------------------------------------------------
-std::size_t SurfaceLevel::GetNumberOfChunks() const
+SurfaceLevel::LayoutPointer SurfaceLevel::GetLayout(const MergeTree& tree) const
 {
-  return this->Place.File->GetChunks().size();
-}
-
-//------------------------------------------------------------------------------
-std::uint64_t SurfaceLevel::GetNumberOfCells(std::size_t chunk) const
-{
-  // Cells and points decrease in proportion.
-  return static_cast<std::uint64_t>(
-    this->Left * static_cast<double>(this->Place.File->GetChunks()[chunk].Cells));
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  if (!this->Layout)
+  {
+    this->Layout = std::make_shared<const CoarseLayout>(
+      this->Place.File, tree, MergeCut(tree, this->Place.Merges));
+  }
+  return this->Layout;
 }
 
 //------------------------------------------------------------------------------
@@ -73,8 +86,10 @@ std::unique_ptr<PieceReader> SurfaceLevel::TakeReader() const
     }
   }
   auto reader = std::make_unique<PieceReader>();
+  const bool isMerged = this->Place.Merges > 0;
   // Buffers take the place of decoded chunks. After merges, a chunk needs points of others.
-  reader->Choose(this->Source, this->Merges, this->Place.Merges > 0);
+  reader->Choose(
+    this->Source, this->Place, isMerged ? this->GetLayout(*this->Place.Tree) : nullptr, isMerged);
   return reader;
 }
 
@@ -134,16 +149,7 @@ std::optional<std::vector<std::uint32_t>> SurfaceLevel::FindChanges(const Surfac
     return std::nullopt;
   }
   const auto& tree = this->Place.Tree ? this->Place.Tree : other.Place.Tree;
-  if (!tree)
-  {
-    return std::vector<std::uint32_t>();
-  }
-  this->Changes = other.Changes;
-  if (!this->Changes || this->Changes->GetTree() != tree)
-  {
-    this->Changes = std::make_shared<const MergeChanges>(tree);
-  }
-  return FindChangedChunks(
-    *this->Place.File, *this->Changes, other.Place.Merges, this->Place.Merges);
+  return tree ? this->GetLayout(*tree)->FindChanges(*other.GetLayout(*tree))
+              : std::vector<std::uint32_t>();
 }
 }

@@ -20,7 +20,7 @@ void SurfacePreparer::Clear()
 
 //------------------------------------------------------------------------------
 void SurfacePreparer::Prepare(
-  const std::shared_ptr<const SurfaceMesh>& level, std::vector<std::uint32_t> chunks)
+  const std::shared_ptr<const SurfaceLevel>& level, std::vector<std::uint32_t> chunks)
 {
   if (level != this->Level)
   {
@@ -58,7 +58,7 @@ void SurfacePreparer::Prepare(
 }
 
 //------------------------------------------------------------------------------
-std::optional<SurfacePart> SurfacePreparer::Take(const SurfaceMesh* level, std::uint32_t chunk)
+std::optional<SurfacePart> SurfacePreparer::Take(const SurfaceLevel* level, std::uint32_t chunk)
 {
   const auto lock = this->Worker.Lock();
   const auto found = this->Ready.find(chunk);

@@ -5,7 +5,7 @@
 #define gatunSurfacePreparer_h
 
 #include "gatunBackgroundWorker.h"
-#include "gatunSurfaceMesh.h"
+#include "gatunSurfaceLevel.h"
 
 #include <cstdint>
 #include <map>
@@ -25,10 +25,10 @@ class SurfacePreparer
 public:
   /** Requests chunks; replaces what was requested before. Chunks of the same level that were
    * decoded and not taken stay. */
-  void Prepare(const std::shared_ptr<const SurfaceMesh>& level, std::vector<std::uint32_t> chunks);
+  void Prepare(const std::shared_ptr<const SurfaceLevel>& level, std::vector<std::uint32_t> chunks);
 
   /** A decoded chunk of the level, once; nothing if it is not ready. */
-  std::optional<SurfacePart> Take(const SurfaceMesh* level, std::uint32_t chunk);
+  std::optional<SurfacePart> Take(const SurfaceLevel* level, std::uint32_t chunk);
 
   /** Waits until all requested chunks are decoded. */
   void Wait() { this->Worker.Wait(); }
@@ -37,7 +37,7 @@ public:
   void Clear();
 
 private:
-  std::shared_ptr<const SurfaceMesh> Level;
+  std::shared_ptr<const SurfaceLevel> Level;
   std::map<std::uint32_t, SurfacePart> Ready; // with the lock of the worker
   BackgroundWorker Worker;
 };

@@ -10,9 +10,7 @@ namespace gatun
 {
 namespace
 {
-constexpr double Aim = 0.9;        // fraction of the budget
 constexpr double FirstCell = 2e-7; // seconds, before anything was drawn
-constexpr double FirstTransfer = 2e-7;
 
 // Each image takes some time for its pixels, as for so many cells.
 constexpr double WorkOfPixels = 5000;
@@ -25,36 +23,16 @@ double GetWork(std::uint64_t cells)
 }
 
 //------------------------------------------------------------------------------
-void SurfaceTimes::Recent::Add(double number)
-{
-  if (std::isfinite(number) && number >= 0)
-  {
-    this->Last[this->Count++ % this->Last.size()] = number;
-  }
-}
-
-//------------------------------------------------------------------------------
-double SurfaceTimes::Recent::Get() const
-{
-  const double* const begin = this->Last.data();
-  if (this->Count < 3)
-  {
-    return this->Count == 0 ? 0 : *std::max_element(begin, begin + this->Count);
-  }
-  return std::max(std::min(begin[0], begin[1]), std::min(std::max(begin[0], begin[1]), begin[2]));
-}
-
-//------------------------------------------------------------------------------
 void SurfaceTimes::Learn(std::size_t level, std::uint64_t cells, double seconds)
 {
-  this->PerCell[level].Add(seconds / GetWork(cells));
+  this->PerCell.try_emplace(level, FirstCell).first->second.Add(seconds / GetWork(cells));
 }
 
 //------------------------------------------------------------------------------
 /** The seconds a cell. */
 double SurfaceTimes::PredictWork(std::size_t level) const
 {
-  const Recent* nearest = nullptr;
+  const RecentCost* nearest = nullptr;
   std::size_t least = 0;
   for (const auto& [other, recent] : this->PerCell)
   {
@@ -79,7 +57,7 @@ double SurfaceTimes::Predict(std::size_t level, std::uint64_t cells) const
 std::uint64_t SurfaceTimes::CountCells(std::size_t level, double budget) const
 {
   constexpr double most = 1e15;
-  const double work = Aim * budget / std::max(this->PredictWork(level), 1e-12);
+  const double work = FrameAim * budget / std::max(this->PredictWork(level), 1e-12);
   return static_cast<std::uint64_t>(std::clamp(work - WorkOfPixels, 0.0, most));
 }
 
@@ -88,7 +66,7 @@ std::size_t SurfaceTimes::Choose(
   double budget, std::span<const std::uint64_t> cells, std::size_t present) const
 {
   std::size_t best = 0;
-  while (best + 1 < cells.size() && this->Predict(best, cells[best]) > Aim * budget)
+  while (best + 1 < cells.size() && this->Predict(best, cells[best]) > FrameAim * budget)
   {
     ++best;
   }
@@ -102,14 +80,13 @@ void SurfaceTimes::LearnTransfer(std::uint64_t cells, double seconds)
 {
   if (cells > 0)
   {
-    this->Transfer.Add(seconds / static_cast<double>(cells));
+    this->PerTransfer.Add(seconds / static_cast<double>(cells));
   }
 }
 
 //------------------------------------------------------------------------------
 double SurfaceTimes::PredictTransfer(std::uint64_t cells) const
 {
-  return static_cast<double>(cells) *
-    (this->Transfer.Count > 0 ? this->Transfer.Get() : FirstTransfer);
+  return static_cast<double>(cells) * this->PerTransfer.Get();
 }
 }

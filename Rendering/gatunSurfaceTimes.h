@@ -4,7 +4,8 @@
 #ifndef gatunSurfaceTimes_h
 #define gatunSurfaceTimes_h
 
-#include <array>
+#include "gatunFrameBudget.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -15,9 +16,9 @@ namespace gatun
 {
 /**
  * Chooses the level of detail of a surface for a time budget, from the times of the last images.
- * The time of a level is the number of its visible cells times the median of the last three times a
- * cell, of this level or else of the nearest one that was drawn. The aim is nine tenths of the
- * budget. The present level stays while its time is between the aim and the budget.
+ * The time of a level is the number of its visible cells times the recent time a cell, of this
+ * level or else of the nearest one that was drawn. The present level stays while its time is
+ * between the aim and the budget.
  */
 class SurfaceTimes
 {
@@ -44,20 +45,10 @@ public:
   double PredictTransfer(std::uint64_t cells) const;
 
 private:
-  /** The median of the last three numbers. */
-  struct Recent
-  {
-    std::array<double, 3> Last{};
-    std::size_t Count = 0;
-
-    void Add(double number);
-    double Get() const;
-  };
-
   double PredictWork(std::size_t level) const;
 
-  std::map<std::size_t, Recent> PerCell; // for each level
-  Recent Transfer;
+  std::map<std::size_t, RecentCost> PerCell; // for each level
+  RecentCost PerTransfer{ 2e-7 };            // of a cell
 };
 }
 

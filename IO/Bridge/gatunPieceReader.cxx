@@ -241,24 +241,28 @@ PieceReader::PieceReader() = default;
 PieceReader::~PieceReader() = default;
 
 //------------------------------------------------------------------------------
-void PieceReader::Choose(const PublishedFile& handle, std::size_t merges, bool keepsChunks)
+SharedFile::Place PieceReader::FindPlace(const PublishedFile& handle, std::size_t merges)
 {
   const auto& file = handle.File->GetFile();
   // Base meshes have no original order.
   const bool keepsOrder = handle.RestoreOrder && file->GetKeptOrder() != KeepNone;
-  const SharedFile::Place place = handle.File->Find(merges, !keepsOrder);
+  return handle.File->Find(merges, !keepsOrder);
+}
+
+//------------------------------------------------------------------------------
+void PieceReader::Choose(const PublishedFile& handle, const SharedFile::Place& place,
+  std::shared_ptr<const CoarseLayout> layout, bool keepsChunks)
+{
   this->SetMesh(handle, place.File, keepsChunks);
   this->Tree = place.Tree;
   this->Merges = place.Merges;
+  this->Layout = std::move(layout);
 }
 
 //------------------------------------------------------------------------------
 void PieceReader::ChooseBoundary(const PublishedFile& handle, std::size_t merges)
 {
-  const SharedFile::Place place = handle.File->GetBoundary()->Find(merges);
-  this->SetMesh(handle, place.File, true);
-  this->Tree = place.Tree;
-  this->Merges = place.Merges;
+  this->Choose(handle, handle.File->GetBoundary()->Find(merges), nullptr, true);
 }
 
 //------------------------------------------------------------------------------
@@ -284,6 +288,7 @@ PieceRequest PieceReader::MakeRequest(const PublishedFile& handle, const PortReq
   request.Step = port.Step;
   request.Merges = this->Merges;
   request.Tree = this->Tree;
+  request.Cut = this->Layout;
   request.RestoreOrder = handle.RestoreOrder;
   request.Form = handle.SplitCells ? PieceForm::Tetrahedra : PieceForm::Original;
   const bool exists = port.Piece >= 0 && port.Piece < port.Pieces;
@@ -354,6 +359,7 @@ void PieceReader::Close()
   this->Decoder.reset();
   this->Parts.reset();
   this->Tree.reset();
+  this->Layout.reset();
   this->Merges = 0;
   this->DecodedBefore = 0;
 }

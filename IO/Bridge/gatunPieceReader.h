@@ -69,7 +69,15 @@ public:
 
   /** Chooses the mesh in the file that is decoded for a number of merges: the whole mesh or a base
    * mesh. KeepsChunks: whether decoded chunks stay in the cache of the file. */
-  void Choose(const PublishedFile& handle, std::size_t merges, bool keepsChunks = true);
+  void Choose(const PublishedFile& handle, std::size_t merges, bool keepsChunks = true)
+  {
+    this->Choose(handle, FindPlace(handle, merges), nullptr, keepsChunks);
+  }
+  static SharedFile::Place FindPlace(const PublishedFile& handle, std::size_t merges);
+
+  /** The same for such a mesh. Layout: of its merges, if it is known, or of those of a cut. */
+  void Choose(const PublishedFile& handle, const SharedFile::Place& place,
+    std::shared_ptr<const CoarseLayout> layout, bool keepsChunks);
 
   /** Chooses the boundary in the file after some of its merges. Requests for it are made by
    * MakeBoundaryRequest. */
@@ -122,6 +130,7 @@ private:
   // The mesh that is decoded.
   std::shared_ptr<ChunkCache> Parts;
   std::shared_ptr<const MergeTree> Tree;
+  std::shared_ptr<const CoarseLayout> Layout; // null: none, or not known
   std::size_t Merges = 0;
   bool KeepsChunks = true;
   std::uint64_t DecodedBefore = 0; // by other views

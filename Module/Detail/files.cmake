@@ -2,14 +2,16 @@
 gatun_core_folder(Detail
   INCLUDES
     Support
+    Cells
     Format
     Merge
     Mesh
     Read
     Rays
   EXPERIMENTAL_HEADERS
+    gatunBaseMeshes.h
     gatunCoarseRaySource.h
-    gatunDetailCuts.h
+    gatunCutChooser.h
     gatunDetailView.h
     gatunDetailWeights.h
     gatunFileLevelsOfDetail.h
@@ -21,16 +23,18 @@ gatun_core_folder(Detail
     gatunSurfaceDetail.h
   PRIVATE_HEADERS
     gatunFileCuts.h
-    gatunJoinedRaySource.h
+    gatunVolumeDetail.h
   SOURCES
+    gatunBaseMeshes.cxx
     gatunCoarseRaySource.cxx
-    gatunDetailCuts.cxx
+    gatunCutChooser.cxx
     gatunDetailWeights.cxx
     gatunFileCuts.cxx
     gatunFileLevelsOfDetail.cxx
     gatunFrameBudget.cxx
-    gatunJoinedRaySource.cxx
     gatunLevelOfDetailCache.cxx
     gatunMemoryLevelsOfDetail.cxx
     gatunRayRefresh.cxx
-    gatunSurfaceDetail.cxx)
+    gatunReadSurfaceDetail.cxx
+    gatunSurfaceDetail.cxx
+    gatunVolumeDetail.cxx)

@@ -62,29 +62,39 @@ bool IsAt(const std::vector<bool>& flags, std::uint32_t point, bool ifEmpty)
 {
   return flags.empty() ? ifEmpty : flags[point];
 }
-}
+
+using Blocks = RaySource::Blocks;
+using Progress = RaySource::Progress;
 
 //------------------------------------------------------------------------------
-class CoarseRaySource::Internals
+/** The chunks of one mesh. */
+class CutChunks
 {
 public:
-  Internals(std::shared_ptr<RayChunks> decoded, const MergeTree& tree, MergeCut cut,
-    CoarseMask mask, const std::shared_ptr<CacheBudget>& budget)
-    : File(decoded->GetFile())
-    , Mask(std::move(mask))
+  CutChunks(CoarsePart part, const std::shared_ptr<CacheBudget>& budget)
+    : File(part.Chunks->GetFile())
+    , Mask(std::move(part.Mask))
     , Chunks(FindChunks())
-    , Layout(File, tree, std::move(cut), Chunks)
+    , Layout(File, *part.Tree, std::move(part.Cut), Chunks)
     , Cache(budget)
     , RoomLeft(RoomToWait + budget->GetBytes() / 4)
-    , Decoded(std::move(decoded))
+    , Decoded(std::move(part.Chunks))
     , Given(File->GetChunks().size())
     , HasGiven(File->GetChunks().size(), 0)
   {
-    this->FindBoxes();
+    const auto step = this->Decoded->GetValues().Step;
+    std::transform(this->Chunks.begin(), this->Chunks.end(), std::back_inserter(this->Boxes),
+      [&](std::uint32_t chunk) { return this->Layout.GetBounds(chunk, step); });
   }
 
-  void Make(std::span<const std::size_t> missing, Blocks& made, const Progress& progress);
-  void TakeSame(Internals& other);
+  Blocks Get(std::span<const std::size_t> chunks, const Progress& progress)
+  {
+    return FindOrMakeTogether(this->Cache, chunks,
+      [&](std::span<const std::size_t> missing, Blocks& made)
+      { this->Make(missing, made, progress); });
+  }
+  Range GetRange(std::uint32_t chunk) const;
+  void TakeSame(CutChunks& other);
 
   std::shared_ptr<const FileReader> File;
   CoarseMask Mask;
@@ -97,10 +107,10 @@ public:
   std::shared_ptr<RayChunks> Decoded;
 
 private:
+  void Make(std::span<const std::size_t> missing, Blocks& made, const Progress& progress);
   std::vector<std::uint32_t> FindChunks() const;
   bool IsNeeded(std::uint32_t chunk) const;
-  void FindBoxes();
-  bool IsSame(const Internals& other, std::uint32_t chunk) const;
+  bool IsSame(const CutChunks& other, std::uint32_t chunk) const;
   std::vector<std::uint32_t> FindSources(std::span<const std::size_t> chunks) const;
   void Give(std::uint32_t chunk, const RayBlock& block);
   RayPoint Get(std::uint32_t point) const;
@@ -119,7 +129,7 @@ private:
 
 //------------------------------------------------------------------------------
 /** Whether a chunk may have tetrahedra that are drawn. */
-bool CoarseRaySource::Internals::IsNeeded(std::uint32_t chunk) const
+bool CutChunks::IsNeeded(std::uint32_t chunk) const
 {
   bool isAnyFine = false;
   bool isAnyNextCoarse = false;
@@ -136,7 +146,7 @@ bool CoarseRaySource::Internals::IsNeeded(std::uint32_t chunk) const
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::uint32_t> CoarseRaySource::Internals::FindChunks() const
+std::vector<std::uint32_t> CutChunks::FindChunks() const
 {
   std::vector<std::uint32_t> chunks;
   for (std::uint32_t chunk = 0; chunk < this->File->GetChunks().size(); ++chunk)
@@ -150,33 +160,7 @@ std::vector<std::uint32_t> CoarseRaySource::Internals::FindChunks() const
 }
 
 //------------------------------------------------------------------------------
-/** The box of a chunk and of those whose points are ancestors of its points encloses it after the
- * merges, and so does the one that the file has for all merges up to the last one. */
-void CoarseRaySource::Internals::FindBoxes()
-{
-  const MergeCut& cut = this->Layout.GetCut();
-  const auto step = this->Decoded->GetValues().Step;
-  for (const auto chunk : this->Chunks)
-  {
-    Bounds& box = this->Boxes.emplace_back(this->File->GetChunkBounds(chunk, cut.GetLast(), step));
-    if (!cut.IsUniform())
-    {
-      Bounds parts = this->File->GetChunkBounds(chunk, 0, step);
-      for (const auto source : this->Layout.GetSources(chunk))
-      {
-        parts.Include(this->File->GetChunkBounds(source, 0, step));
-      }
-      for (std::size_t axis = 0; axis < box.size(); ++axis)
-      {
-        box[axis].Min = std::max(box[axis].Min, parts[axis].Min);
-        box[axis].Max = std::min(box[axis].Max, parts[axis].Max);
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-bool CoarseRaySource::Internals::IsSame(const Internals& other, std::uint32_t chunk) const
+bool CutChunks::IsSame(const CutChunks& other, std::uint32_t chunk) const
 {
   bool isSame = true;
   CoarseLayout::EachRun(*this->File, chunk,
@@ -194,7 +178,7 @@ bool CoarseRaySource::Internals::IsSame(const Internals& other, std::uint32_t ch
 }
 
 //------------------------------------------------------------------------------
-void CoarseRaySource::Internals::TakeSame(Internals& other)
+void CutChunks::TakeSame(CutChunks& other)
 {
   for (const auto chunk : this->Chunks)
   {
@@ -208,8 +192,7 @@ void CoarseRaySource::Internals::TakeSame(Internals& other)
 
 //------------------------------------------------------------------------------
 /** Chunks that have not yet given the points that others get from them. */
-std::vector<std::uint32_t> CoarseRaySource::Internals::FindSources(
-  std::span<const std::size_t> chunks) const
+std::vector<std::uint32_t> CutChunks::FindSources(std::span<const std::size_t> chunks) const
 {
   std::vector<std::uint32_t> sources;
   for (const auto chunk : chunks)
@@ -229,7 +212,7 @@ std::vector<std::uint32_t> CoarseRaySource::Internals::FindSources(
 }
 
 //------------------------------------------------------------------------------
-void CoarseRaySource::Internals::Give(std::uint32_t chunk, const RayBlock& block)
+void CutChunks::Give(std::uint32_t chunk, const RayBlock& block)
 {
   if (this->HasGiven[chunk] != 0)
   {
@@ -244,14 +227,14 @@ void CoarseRaySource::Internals::Give(std::uint32_t chunk, const RayBlock& block
 }
 
 //------------------------------------------------------------------------------
-RayPoint CoarseRaySource::Internals::Get(std::uint32_t point) const
+RayPoint CutChunks::Get(std::uint32_t point) const
 {
   const auto giver = this->Layout.GetGiver(point);
   return this->Given[giver][FindPlace(this->Layout.GetGiven(giver), point)];
 }
 
 //------------------------------------------------------------------------------
-Waiting CoarseRaySource::Internals::Simplify(std::uint32_t chunk, const RayBlock& whole) const
+Waiting CutChunks::Simplify(std::uint32_t chunk, const RayBlock& whole) const
 {
   // The ancestor of each point: its place in the chunk or, behind these, among the others.
   const auto points = this->Layout.GetPoints(chunk);
@@ -330,7 +313,7 @@ Waiting CoarseRaySource::Internals::Simplify(std::uint32_t chunk, const RayBlock
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const RayBlock> CoarseRaySource::Internals::Finish(Waiting left) const
+std::shared_ptr<const RayBlock> CutChunks::Finish(Waiting left) const
 {
   auto block = std::make_shared<RayBlock>();
   block->Tets = std::move(left.Tets);
@@ -346,7 +329,7 @@ std::shared_ptr<const RayBlock> CoarseRaySource::Internals::Finish(Waiting left)
 
 //------------------------------------------------------------------------------
 /** Keeps a chunk until it is requested, if there is room for it. */
-void CoarseRaySource::Internals::Keep(std::uint32_t chunk, Waiting left)
+void CutChunks::Keep(std::uint32_t chunk, Waiting left)
 {
   const auto bytes = left.GetMemorySize();
   if (bytes <= this->RoomLeft && this->Kept.emplace(chunk, std::move(left)).second)
@@ -356,7 +339,7 @@ void CoarseRaySource::Internals::Keep(std::uint32_t chunk, Waiting left)
 }
 
 //------------------------------------------------------------------------------
-bool CoarseRaySource::Internals::Take(std::uint32_t chunk, Waiting& left)
+bool CutChunks::Take(std::uint32_t chunk, Waiting& left)
 {
   const auto found = this->Kept.find(chunk);
   if (found == this->Kept.end())
@@ -370,8 +353,7 @@ bool CoarseRaySource::Internals::Take(std::uint32_t chunk, Waiting& left)
 }
 
 //------------------------------------------------------------------------------
-void CoarseRaySource::Internals::Make(
-  std::span<const std::size_t> missing, Blocks& made, const Progress& progress)
+void CutChunks::Make(std::span<const std::size_t> missing, Blocks& made, const Progress& progress)
 {
   // First the chunks that only give corners, then the requested ones that are not waiting yet.
   auto chunks = this->FindSources(missing);
@@ -417,35 +399,71 @@ void CoarseRaySource::Internals::Make(
 }
 
 //------------------------------------------------------------------------------
-CoarseRaySource::CoarseRaySource(std::shared_ptr<const FileReader> file, const MergeTree& tree,
-  MergeCut cut, const RayValues& values, std::uint64_t budget)
+Range CutChunks::GetRange(std::uint32_t chunk) const
 {
-  const auto forParts = GetBudgetForParts(budget);
-  this->Self = std::make_unique<Internals>(
-    std::make_shared<RayChunks>(
-      std::make_shared<ChunkCache>(std::move(file), forParts), values, false),
-    tree, std::move(cut), CoarseMask{}, std::make_shared<CacheBudget>(budget - forParts));
+  const auto& values = this->Decoded->GetValues();
+  const auto get = [&](std::size_t of, std::size_t merges)
+  {
+    return GetDrawnRange(
+      this->File->GetChunkRanges(values.Array, values.Step, of, merges), values.Component);
+  };
+  if (this->Layout.GetCut().IsUniform())
+  {
+    return get(chunk, this->Layout.GetCut().GetLast());
+  }
+  Range all = get(chunk, 0);
+  for (const auto source : this->Layout.GetSources(chunk))
+  {
+    all.Include(get(source, 0));
+  }
+  return all;
+}
+
+std::vector<CoarsePart> ListOne(CoarsePart part)
+{
+  std::vector<CoarsePart> list;
+  list.push_back(std::move(part));
+  return list;
+}
+}
+
+//------------------------------------------------------------------------------
+class CoarseRaySource::Internals
+{
+public:
+  std::vector<std::unique_ptr<CutChunks>> Parts;
+  std::vector<std::pair<CutChunks*, std::size_t>> Places; // of blocks: part, and number in it
+};
+
+//------------------------------------------------------------------------------
+CoarseRaySource::CoarseRaySource(std::vector<CoarsePart> parts,
+  const std::shared_ptr<CacheBudget>& budget, const CoarseRaySource* before)
+  : Self(std::make_unique<Internals>())
+{
+  for (CoarsePart& part : parts)
+  {
+    auto& chunks =
+      *this->Self->Parts.emplace_back(std::make_unique<CutChunks>(std::move(part), budget));
+    for (std::size_t block = 0; block < chunks.Chunks.size(); ++block)
+    {
+      this->Self->Places.emplace_back(&chunks, block);
+    }
+    for (std::size_t i = 0; before && i < before->Self->Parts.size(); ++i)
+    {
+      if (before->Self->Parts[i]->Decoded == chunks.Decoded)
+      {
+        chunks.TakeSame(*before->Self->Parts[i]);
+      }
+    }
+  }
 }
 
 CoarseRaySource::CoarseRaySource(
   std::shared_ptr<ChunkCache> parts, const MergeTree& tree, MergeCut cut, const RayValues& values)
+  : CoarseRaySource(
+      ListOne({ std::make_shared<RayChunks>(parts, values, false), &tree, std::move(cut), {} }),
+      parts->GetSharedBudget(), nullptr)
 {
-  const auto budget = parts->GetSharedBudget();
-  this->Self =
-    std::make_unique<Internals>(std::make_shared<RayChunks>(std::move(parts), values, false), tree,
-      std::move(cut), CoarseMask{}, budget);
-}
-
-CoarseRaySource::CoarseRaySource(std::shared_ptr<RayChunks> chunks,
-  std::shared_ptr<CacheBudget> budget, const MergeTree& tree, MergeCut cut, CoarseMask mask,
-  const CoarseRaySource* other)
-  : Self(std::make_unique<Internals>(
-      std::move(chunks), tree, std::move(cut), std::move(mask), std::move(budget)))
-{
-  if (other && other->Self->Decoded == this->Self->Decoded)
-  {
-    this->Self->TakeSame(*other->Self);
-  }
 }
 
 CoarseRaySource::~CoarseRaySource() = default;
@@ -453,59 +471,58 @@ CoarseRaySource::~CoarseRaySource() = default;
 //------------------------------------------------------------------------------
 std::size_t CoarseRaySource::GetNumberOfBlocks() const
 {
-  return this->Self->Chunks.size();
-}
-
-//------------------------------------------------------------------------------
-std::uint32_t CoarseRaySource::GetChunk(std::size_t block) const
-{
-  return this->Self->Chunks[block];
+  return this->Self->Places.size();
 }
 
 //------------------------------------------------------------------------------
 const Bounds& CoarseRaySource::GetBounds(std::size_t block) const
 {
-  return this->Self->Boxes[block];
+  const auto& [part, number] = this->Self->Places[block];
+  return part->Boxes[number];
 }
 
 //------------------------------------------------------------------------------
 Range CoarseRaySource::GetRange(std::size_t block) const
 {
-  const auto& values = this->Self->Decoded->GetValues();
-  const CoarseLayout& layout = this->Self->Layout;
-  const auto get = [&](std::size_t chunk, std::size_t merges)
-  {
-    return GetDrawnRange(
-      this->Self->File->GetChunkRanges(values.Array, values.Step, chunk, merges), values.Component);
-  };
-  const auto chunk = this->Self->Chunks[block];
-  if (layout.GetCut().IsUniform())
-  {
-    return get(chunk, layout.GetCut().GetLast());
-  }
-  Range all = get(chunk, 0);
-  for (const auto source : layout.GetSources(chunk))
-  {
-    all.Include(get(source, 0));
-  }
-  return all;
+  const auto& [part, number] = this->Self->Places[block];
+  return part->GetRange(part->Chunks[number]);
 }
 
 //------------------------------------------------------------------------------
 double CoarseRaySource::GetSimplifyTime() const
 {
-  return 1e-9 * static_cast<double>(this->Self->SimplifyTime.load()) / GetNumberOfThreads();
+  double nanoseconds = 0;
+  for (const auto& part : this->Self->Parts)
+  {
+    nanoseconds += static_cast<double>(part->SimplifyTime.load());
+  }
+  return 1e-9 * nanoseconds / GetNumberOfThreads();
 }
 
 //------------------------------------------------------------------------------
 RaySource::Blocks CoarseRaySource::GetBlocks(
   std::span<const std::size_t> blocks, const Progress& progress)
 {
-  std::vector<std::size_t> chunks(blocks.size());
-  std::transform(blocks.begin(), blocks.end(), chunks.begin(),
-    [&](std::size_t block) { return this->GetChunk(block); });
-  return FindOrMakeTogether(this->Self->Cache, chunks,
-    [&](std::span<const std::size_t> missing, Blocks& made)
-    { this->Self->Make(missing, made, progress); });
+  Blocks result(blocks.size());
+  for (const auto& part : this->Self->Parts)
+  {
+    std::vector<std::size_t> chunks;
+    std::vector<std::size_t> where;
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+    {
+      const auto& [of, number] = this->Self->Places[blocks[i]];
+      if (of == part.get())
+      {
+        chunks.push_back(of->Chunks[number]);
+        where.push_back(i);
+      }
+    }
+    auto made = part->Get(chunks, progress);
+    for (std::size_t i = 0; i < made.size(); ++i)
+    {
+      result[where[i]] = std::move(made[i]);
+    }
+  }
+  return result;
 }
 }

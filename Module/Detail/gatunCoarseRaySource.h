@@ -13,12 +13,12 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace gatun
 {
 class CacheBudget;
 class ChunkCache;
-class FileReader;
 class RayChunks;
 
 /**
@@ -32,12 +32,22 @@ struct CoarseMask
   std::vector<bool> NextTooCoarse; ///< empty: all
 };
 
+/** A mesh after the merges of a cut, and which of its tetrahedra are drawn. */
+struct CoarsePart
+{
+  std::shared_ptr<RayChunks> Chunks;
+  const MergeTree* Tree; ///< that of the file
+  MergeCut Cut;
+  CoarseMask Mask;
+};
+
 /**
- * The chunks of a file after the merges of a cut, simplified as they are decoded. If a chunk
- * gets corners from other chunks that have not been decoded yet, these are decoded with it. The
- * points that others need are kept, which takes little memory. The simplified chunks themselves are
- * kept until they are requested, up to 32 MiB and a quarter of the budget. Blocks are kept within
- * the budget.
+ * The chunks of one or several meshes of a file after the merges of a cut, simplified as they are
+ * decoded. If a chunk gets corners from other chunks that have not been decoded yet, these are
+ * decoded with it. The points that others need are kept, which takes little memory. The simplified
+ * chunks themselves are kept until they are requested, up to 32 MiB and a quarter of the budget.
+ * Blocks are kept within the budget. Only chunks that have any tetrahedra that are drawn are
+ * blocks.
  */
 class GATUN_EXPORT CoarseRaySource final : public RaySource
 {
@@ -45,24 +55,17 @@ public:
   /** The memory of a source without its blocks, about, for each point of the file. */
   static constexpr std::uint64_t BytesPerPoint = 6;
 
-  /** Tree: that of the file. Budget: in bytes. Throws InvalidInput if the file has no such array or
-   * step, or the cut belongs to another tree. */
-  CoarseRaySource(std::shared_ptr<const FileReader> file, const MergeTree& tree, MergeCut cut,
-    const RayValues& values, std::uint64_t budget);
+  /** Takes equal blocks from another source with the same chunks, which may be null. Throws
+   * InvalidInput if a cut belongs to another tree. */
+  CoarseRaySource(std::vector<CoarsePart> parts, const std::shared_ptr<CacheBudget>& budget,
+    const CoarseRaySource* before);
 
-  /** Uses a shared cache, and keeps blocks within the same budget. */
+  /** All of a mesh. Keeps blocks within the budget of the cache. Throws InvalidInput if the file
+   * has no such array or step, too. */
   CoarseRaySource(std::shared_ptr<ChunkCache> parts, const MergeTree& tree, MergeCut cut,
     const RayValues& values);
 
-  /** Takes equal blocks from another source of the same chunks, which may be null. With a mask,
-   * only chunks that have any of its tetrahedra are blocks. */
-  CoarseRaySource(std::shared_ptr<RayChunks> chunks, std::shared_ptr<CacheBudget> budget,
-    const MergeTree& tree, MergeCut cut, CoarseMask mask, const CoarseRaySource* other);
-
   ~CoarseRaySource() override;
-
-  /** The chunk of a block in the file. */
-  std::uint32_t GetChunk(std::size_t block) const;
 
   std::size_t GetNumberOfBlocks() const override;
   const Bounds& GetBounds(std::size_t block) const override;

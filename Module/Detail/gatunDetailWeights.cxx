@@ -3,7 +3,10 @@
 
 #include "gatunDetailWeights.h"
 
-#include <algorithm>
+#include "gatunVector.h"
+
+#include <glm/matrix.hpp>
+
 #include <cmath>
 #include <limits>
 
@@ -86,6 +89,13 @@ DetailWeights::DetailWeights(const RayView& view, double size)
   };
   addDepth(1, view.Near);
   addDepth(-1, view.Far);
+
+  // The place with ray coordinates 0, and the direction in which the first two are.
+  const auto& rows = view.ToRays;
+  const glm::dmat3 rays(ToVector(rows[0]), ToVector(rows[1]), ToVector(rows[2]));
+  const glm::dmat3 inverse = glm::inverse(rays);
+  this->Eye = ToArray(glm::dvec3(-rows[0][3], -rows[1][3], -rows[2][3]) * inverse);
+  this->Back = ToArray(glm::dvec3(0, 0, -1) * inverse);
 }
 
 //------------------------------------------------------------------------------

@@ -7,8 +7,6 @@
 #include "gatunDetailWeights.h"
 #include "gatunError.h"
 #include "gatunFileReader.h"
-#include "gatunJoinedRaySource.h"
-#include "gatunParallel.h"
 
 #include <algorithm>
 #include <limits>
@@ -78,13 +76,13 @@ std::vector<std::uint32_t> FindNext(
 }
 
 /** The points of a file, and the values around them. */
-std::vector<DetailCuts::Place> FindPlaces(RayChunks& chunks, const RaySource::Progress& progress)
+std::vector<VolumeDetail::Place> FindPlaces(RayChunks& chunks, const RaySource::Progress& progress)
 {
   const FileReader& file = *chunks.GetFile();
-  std::vector<DetailCuts::Place> places(file.GetNumberOfPoints());
+  std::vector<VolumeDetail::Place> places(file.GetNumberOfPoints());
   // A point without tetrahedra is nowhere that matters.
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  std::fill(places.begin(), places.end(), DetailCuts::Place{ { nan, nan, nan, nan }, {} });
+  std::fill(places.begin(), places.end(), VolumeDetail::Place{ { nan, nan, nan, nan }, {} });
   const auto count = file.GetChunks().size();
   for (std::uint32_t chunk = 0; chunk < count; ++chunk)
   {
@@ -106,19 +104,8 @@ std::vector<DetailCuts::Place> FindPlaces(RayChunks& chunks, const RaySource::Pr
     {
       places[points[i]].Point = block->Points[i];
     }
-    for (std::size_t i = 0; i < block->Tets.size(); ++i)
-    {
-      Range values;
-      for (const auto corner : block->Tets[i])
-      {
-        values.Include(
-          block->CellValues.empty() ? block->Points[corner].Value : block->CellValues[i]);
-      }
-      for (const auto corner : block->Tets[i])
-      {
-        places[points[corner]].Values.Include(values);
-      }
-    }
+    IncludeValues(block->Tets, block->Points, block->CellValues,
+      [&](std::uint32_t corner) { return &places[points[corner]]; });
   }
   return places;
 }
@@ -128,7 +115,6 @@ std::vector<DetailCuts::Place> FindPlaces(RayChunks& chunks, const RaySource::Pr
 FileCuts::FileCuts(std::vector<Base> bases, std::shared_ptr<const MergeDependencies> dependencies,
   std::shared_ptr<CacheBudget> budget, const RaySource::Progress& progress)
   : Budget(std::move(budget))
-  , Last(bases.size())
 {
   for (Base& base : bases)
   {
@@ -161,9 +147,10 @@ FileCuts::FileCuts(std::vector<Base> bases, std::shared_ptr<const MergeDependenc
     place = std::min(place, count);
   }
   const FileReader& file = *this->Levels.front().Of.Chunks->GetFile();
-  this->Cuts = std::make_unique<DetailCuts>(this->Levels.front().Of.Tree, std::move(dependencies),
-    file.GetNumberOfPoints(), FindPlaces(*coarsest.Chunks, progress), std::move(placeOf),
-    this->Levels.back().Unmerged, GetDiagonal(file.GetBounds()));
+  this->Detail = std::make_unique<VolumeDetail>(
+    CutChooser(this->Levels.front().Of.Tree, std::move(dependencies), file.GetNumberOfPoints()),
+    FindPlaces(*coarsest.Chunks, progress), std::move(placeOf), this->Levels.back().Unmerged,
+    GetDiagonal(file.GetBounds()));
 }
 
 FileCuts::~FileCuts() = default;
@@ -214,10 +201,10 @@ std::vector<std::vector<bool>> FileCuts::FindTooCoarse(const MergeCut& cut) cons
 //------------------------------------------------------------------------------
 DetailLevel FileCuts::Make(const DetailView& view, std::uint64_t points)
 {
-  const MergeCut cut = this->Cuts->Choose(view, points);
+  const MergeCut cut = this->Detail->Choose(view, points);
   const auto tooCoarse = this->FindTooCoarse(cut);
   const auto all = cut.GetDone().size();
-  std::vector<std::shared_ptr<RaySource>> sources;
+  std::vector<CoarsePart> parts;
   std::uint64_t bytes = 0;
   for (std::size_t i = 0; i < this->Levels.size(); ++i)
   {
@@ -238,13 +225,13 @@ DetailLevel FileCuts::Make(const DetailView& view, std::uint64_t points)
       }
     }
     const auto first = static_cast<std::ptrdiff_t>(all - tree.GetMerges().size());
-    auto source = std::make_shared<CoarseRaySource>(level.Of.Chunks, this->Budget, tree,
+    parts.push_back({ level.Of.Chunks, &tree,
       MergeCut(tree, std::vector<bool>(cut.GetDone().begin() + first, cut.GetDone().end())),
-      std::move(mask), this->Last[i].lock().get());
-    this->Last[i] = source;
-    sources.push_back(std::move(source));
+      std::move(mask) });
   }
-  return { std::make_shared<JoinedRaySource>(std::move(sources)),
-    cut.GetAncestors().size() - cut.GetNumberOfMerges(), bytes };
+  const auto source =
+    std::make_shared<CoarseRaySource>(std::move(parts), this->Budget, this->Last.lock().get());
+  this->Last = source;
+  return { source, cut.GetAncestors().size() - cut.GetNumberOfMerges(), bytes };
 }
 }

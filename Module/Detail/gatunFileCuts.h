@@ -3,17 +3,13 @@
 #ifndef gatunFileCuts_h
 #define gatunFileCuts_h
 
-#include "gatunDetailCuts.h"
-#include "gatunDetailView.h"
 #include "gatunLevelsOfDetail.h"
 #include "gatunRayChunks.h"
+#include "gatunVolumeDetail.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
-#include <optional>
-#include <span>
 #include <vector>
 
 namespace gatun
@@ -53,8 +49,6 @@ public:
     std::shared_ptr<CacheBudget> budget, const RaySource::Progress& progress);
   ~FileCuts();
 
-  const DetailCuts& GetCuts() const { return *this->Cuts; }
-
   /** Makes the mesh for a view, with about this number of points. Blocks of the last mesh that do
    * not change are reused. */
   DetailLevel Make(const DetailView& view, std::uint64_t points);
@@ -71,9 +65,9 @@ private:
   std::vector<std::vector<bool>> FindTooCoarse(const MergeCut& cut) const;
 
   std::vector<Level> Levels;
-  std::unique_ptr<DetailCuts> Cuts;
+  std::unique_ptr<VolumeDetail> Detail;
   std::shared_ptr<CacheBudget> Budget;
-  std::vector<std::weak_ptr<CoarseRaySource>> Last; // of the last mesh, for each level
+  std::weak_ptr<CoarseRaySource> Last; // the last mesh
 };
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunFileLevelsOfDetail.h"
 
+#include "gatunBaseMeshes.h"
 #include "gatunChunkCache.h"
 #include "gatunCoarseRaySource.h"
 #include "gatunDetailWeights.h"
@@ -24,21 +25,8 @@ constexpr std::uint64_t PointsForRest = 20000;
 }
 
 //------------------------------------------------------------------------------
-FileLevelsOfDetail::FileLevelsOfDetail(
-  std::shared_ptr<const FileReader> file, const RayValues& values)
-  : FileLevelsOfDetail(std::make_shared<SharedFile>(std::move(file)), false, values)
-{
-}
-
-FileLevelsOfDetail::FileLevelsOfDetail(std::shared_ptr<SharedFile> shared, const RayValues& values)
-  : FileLevelsOfDetail(std::move(shared), true, values)
-{
-}
-
-FileLevelsOfDetail::FileLevelsOfDetail(
-  std::shared_ptr<SharedFile> file, bool isShared, const RayValues& values)
+FileLevelsOfDetail::FileLevelsOfDetail(std::shared_ptr<SharedFile> file, const RayValues& values)
   : File(std::move(file))
-  , IsShared(isShared)
   , Values(values)
 {
   this->File->RequireHierarchy();
@@ -67,35 +55,17 @@ std::uint64_t FileLevelsOfDetail::CountMerges(std::uint64_t points) const
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<RaySource> FileLevelsOfDetail::MakeSource(
-  std::uint64_t points, std::uint64_t budget)
+DetailLevel FileLevelsOfDetail::MakeUniform(std::uint64_t points)
 {
   const auto place = this->File->Find(this->CountMerges(points));
-  if (this->IsShared)
-  {
-    auto parts = this->File->MakeView(place.File, false);
-    if (place.Merges == 0)
-    {
-      return std::make_shared<FileRaySource>(std::move(parts), this->Values);
-    }
-    return std::make_shared<CoarseRaySource>(
-      std::move(parts), *place.Tree, MergeCut(*place.Tree, place.Merges), this->Values);
-  }
+  auto parts = this->File->MakeView(place.File, false);
   if (place.Merges == 0)
   {
-    return std::make_shared<FileRaySource>(place.File, this->Values, budget);
+    return { std::make_shared<FileRaySource>(std::move(parts), this->Values), points };
   }
-  return std::make_shared<CoarseRaySource>(
-    place.File, *place.Tree, MergeCut(*place.Tree, place.Merges), this->Values, budget);
-}
-
-//------------------------------------------------------------------------------
-DetailLevel FileLevelsOfDetail::MakeUniform(std::uint64_t points, std::uint64_t budget)
-{
-  const auto place = this->File->Find(this->CountMerges(points));
-  const std::uint64_t bytes =
-    place.Merges > 0 ? CoarseRaySource::BytesPerPoint * place.File->GetNumberOfPoints() : 0;
-  return { this->MakeSource(points, budget), points, bytes };
+  return { std::make_shared<CoarseRaySource>(
+             std::move(parts), *place.Tree, MergeCut(*place.Tree, place.Merges), this->Values),
+    points, CoarseRaySource::BytesPerPoint * place.File->GetNumberOfPoints() };
 }
 
 //------------------------------------------------------------------------------
@@ -117,7 +87,7 @@ std::size_t FileLevelsOfDetail::FindFinest(
   const DetailView& view, std::uint64_t points, bool isForRest, std::size_t coarse)
 {
   // In motion, a quarter of the budget is for what is known of all points.
-  const auto affordable = this->Budget->GetBytes() / 4 / BytesPerPoint;
+  const auto affordable = this->File->GetBudget()->GetBytes() / 4 / BytesPerPoint;
   auto finest =
     std::min(this->FindLevel(isForRest ? FinestToUniform * points
                                        : std::min(FinestToUniform * points, affordable)),
@@ -126,22 +96,9 @@ std::size_t FileLevelsOfDetail::FindFinest(
   {
     ++finest;
   }
-  const FileReader& file = *this->File->GetFile();
-  const double weight =
-    DetailWeights(view.View, GetDiagonal(file.GetBounds())).Get(file.GetBounds());
-  auto level = coarse;
-  const auto isEnough = [&]
-  {
-    // The error of the merges that lead to a level is at most that of the next one.
-    const auto tree = this->File->GetLevel(level).Tree;
-    return !tree->GetMerges().empty() &&
-      tree->GetMerges().front().Error * weight <= view.PixelError;
-  };
-  while (level > finest && !isEnough())
-  {
-    --level;
-  }
-  return level;
+  const Bounds box = this->File->GetFile()->GetBounds();
+  const double weight = DetailWeights(view.View, GetDiagonal(box)).Get(box);
+  return FindBaseMesh(*this->File, coarse, finest, { points, view.PixelError, weight });
 }
 
 //------------------------------------------------------------------------------
@@ -152,8 +109,7 @@ std::shared_ptr<RayChunks> FileLevelsOfDetail::GetChunks(std::size_t level)
   if (!chunks)
   {
     const auto file = this->File->GetLevel(level).File;
-    auto parts = this->IsShared ? this->File->MakeView(file, false)
-                                : std::make_shared<ChunkCache>(file, this->Budget);
+    auto parts = this->File->MakeView(file, false);
     parts->SetKeepsChunks(false);
     chunks = std::make_shared<RayChunks>(std::move(parts), this->Values, true);
   }
@@ -178,8 +134,8 @@ FileCuts* FileLevelsOfDetail::FindCuts(
     {
       bases.push_back({ this->GetChunks(level), this->File->GetLevel(level).Tree });
     }
-    this->Cuts =
-      std::make_unique<FileCuts>(std::move(bases), std::move(dependencies), this->Budget, progress);
+    this->Cuts = std::make_unique<FileCuts>(
+      std::move(bases), std::move(dependencies), this->File->GetBudget(), progress);
     this->Fine = fine;
     this->Coarse = coarse;
   }
@@ -188,28 +144,19 @@ FileCuts* FileLevelsOfDetail::FindCuts(
 
 //------------------------------------------------------------------------------
 DetailLevel FileLevelsOfDetail::MakeLevel(
-  const DetailRequest& request, std::uint64_t budget, const RaySource::Progress& progress)
+  const DetailRequest& wanted, const RaySource::Progress& progress)
 {
+  const auto [points, view] = this->Clamp(wanted);
+  if (!view)
+  {
+    return this->MakeUniform(points);
+  }
   const auto all = this->GetNumberOfPoints();
-  const auto points = std::clamp(request.Points, this->GetFewestPoints(), all);
-  const bool isWhole = points == all && !(request.View && request.View->PixelError > 0);
-  if (!request.View || isWhole)
-  {
-    return this->MakeUniform(points, budget);
-  }
-  if (!this->Budget)
-  {
-    this->Budget = this->IsShared ? this->File->GetBudget() : std::make_shared<CacheBudget>(budget);
-  }
   const bool isForRest = points == all;
   const auto coarse = this->FindLevel(isForRest ? std::min(all, PointsForRest) : points);
-  const auto fine = this->FindFinest(*request.View, points, isForRest, coarse);
+  const auto fine = this->FindFinest(*view, points, isForRest, coarse);
   FileCuts* const cuts = this->FindCuts(fine, coarse, progress);
-  if (!cuts)
-  {
-    return this->MakeUniform(points, budget);
-  }
-  return cuts->Make(*request.View, points);
+  return cuts ? cuts->Make(*view, points) : this->MakeUniform(points);
 }
 
 //------------------------------------------------------------------------------

@@ -14,7 +14,6 @@
 
 namespace gatun
 {
-class CacheBudget;
 class FileCuts;
 class RayChunks;
 
@@ -26,27 +25,20 @@ class RayChunks;
 class GATUN_EXPORT FileLevelsOfDetail final : public LevelsOfDetail
 {
 public:
-  /** Throws InvalidInput if the file has no merge tree, or no such array or step. */
-  FileLevelsOfDetail(std::shared_ptr<const FileReader> file, const RayValues& values);
-
-  /** The same for a shared file. Its sources keep their blocks within the budget of the file,
-   * whatever budget MakeSource is given. */
-  FileLevelsOfDetail(std::shared_ptr<SharedFile> shared, const RayValues& values);
+  /** Sources keep their blocks within the budget of the file. Throws InvalidInput if the file has
+   * no merge tree, or no such array or step. */
+  FileLevelsOfDetail(std::shared_ptr<SharedFile> file, const RayValues& values);
 
   ~FileLevelsOfDetail() override;
 
   std::uint64_t GetNumberOfPoints() const override;
   std::uint64_t GetFewestPoints() const override;
-  std::shared_ptr<RaySource> MakeSource(std::uint64_t points, std::uint64_t budget) override;
-  DetailLevel MakeLevel(const DetailRequest& request, std::uint64_t budget,
-    const RaySource::Progress& progress) override;
+  DetailLevel MakeLevel(const DetailRequest& request, const RaySource::Progress& progress) override;
   std::uint64_t EstimateTets(std::uint64_t points) const override;
 
 private:
-  FileLevelsOfDetail(std::shared_ptr<SharedFile> file, bool isShared, const RayValues& values);
-
   std::uint64_t CountMerges(std::uint64_t points) const;
-  DetailLevel MakeUniform(std::uint64_t points, std::uint64_t budget);
+  DetailLevel MakeUniform(std::uint64_t points);
   std::size_t FindLevel(std::uint64_t points) const;
   std::size_t FindFinest(
     const DetailView& view, std::uint64_t points, bool isForRest, std::size_t coarse);
@@ -54,11 +46,9 @@ private:
   FileCuts* FindCuts(std::size_t fine, std::size_t coarse, const RaySource::Progress& progress);
 
   const std::shared_ptr<SharedFile> File;
-  const bool IsShared; // otherwise its budget is not used
   RayValues Values;
 
   // For views: the chunks of levels that were used, and the last meshes of some levels.
-  std::shared_ptr<CacheBudget> Budget;
   std::vector<std::shared_ptr<RayChunks>> Chunks;
   std::size_t Fine = 0;
   std::size_t Coarse = 0;

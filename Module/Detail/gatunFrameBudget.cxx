@@ -9,9 +9,7 @@ namespace gatun
 {
 namespace
 {
-// Fractions of the budget: the target, below 1 because disturbances only make frames slower; and
-// the limits between which nothing is changed.
-constexpr double Aim = 0.9;
+// Fractions of the budget between which nothing is changed.
 constexpr double Low = 0.8;
 constexpr double High = 1;
 
@@ -59,16 +57,16 @@ int FindStep(std::uint64_t points, const FrameLimits& limits)
 }
 
 //------------------------------------------------------------------------------
-void FrameBudget::Recent::Add(double number)
+void RecentCost::Add(double cost)
 {
-  if (std::isfinite(number) && number >= 0)
+  if (std::isfinite(cost) && cost >= 0)
   {
-    this->Last[this->Count++ % this->Last.size()] = number;
+    this->Last[this->Count++ % this->Last.size()] = cost;
   }
 }
 
 //------------------------------------------------------------------------------
-double FrameBudget::Recent::Get() const
+double RecentCost::Get() const
 {
   if (this->Count == 0)
   {
@@ -119,9 +117,9 @@ std::uint64_t FrameBudget::ChoosePoints(
 {
   const auto fits = [&](std::uint64_t points)
   {
-    return this->GetTime(limits, points, limits.LeastDistance) <= Aim * budget ||
+    return this->GetTime(limits, points, limits.LeastDistance) <= FrameAim * budget ||
       (limits.LargestDistance > limits.LeastDistance &&
-        this->GetTetTime(limits, points) <= TetShare * Aim * budget);
+        this->GetTetTime(limits, points) <= TetShare * FrameAim * budget);
   };
   int best = 0;
   while (!fits(GetStep(best, limits)) && GetStep(best, limits) > GetStep(best + 1, limits))
@@ -159,7 +157,7 @@ double FrameBudget::ChooseDistance(
       return present.Distance;
     }
   }
-  const double forRays = Aim * budget - this->Fixed.Get() - this->GetTetTime(limits, points);
+  const double forRays = FrameAim * budget - this->Fixed.Get() - this->GetTetTime(limits, points);
   const double finest = this->PerRay.Get() *
     GetRayWork({ static_cast<double>(limits.EstimateTets(points)), limits.Pixels });
   const double distance = forRays > 0 ? std::pow(finest / forRays, 0.5 / RayPower) : INFINITY;

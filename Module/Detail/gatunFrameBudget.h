@@ -12,6 +12,29 @@
 
 namespace gatun
 {
+/** The fraction of a budget that images are to take: below 1, as disturbances only make them
+ * slower.
+ */
+constexpr double FrameAim = 0.9;
+
+/** The median of the last three costs, the larger one of two, or a guess until there is one. One
+ * disturbed image has no effect. */
+class GATUN_EXPORT RecentCost
+{
+public:
+  explicit RecentCost(double guess)
+    : Guess(guess)
+  {
+  }
+  void Add(double cost);
+  double Get() const;
+
+private:
+  double Guess;
+  std::array<double, 3> Last{};
+  std::size_t Count = 0;
+};
+
 /** The amount of work for a frame. */
 struct FrameWork
 {
@@ -56,8 +79,7 @@ struct FrameLimits
  *
  * Time along rays grows with the number of rays to the power 0.7, because nearby rays are drawn
  * together, and with the number of tetrahedra to the power 0.3, about that of the tetrahedra on a
- * ray; both were measured in mode Composite. Each cost is the median of the last three frames, so
- * that one disturbed frame has no effect.
+ * ray; both were measured in mode Composite.
  */
 class GATUN_EXPORT FrameBudget
 {
@@ -82,29 +104,12 @@ public:
   static std::uint64_t StepUp(std::uint64_t points, const FrameLimits& limits);
 
 private:
-  /** The median of the last three numbers. */
-  class Recent
-  {
-  public:
-    explicit Recent(double guess)
-      : Guess(guess)
-    {
-    }
-    void Add(double number);
-    double Get() const;
-
-  private:
-    double Guess; // until there is a measurement
-    std::array<double, 3> Last{};
-    std::size_t Count = 0;
-  };
-
   double GetTetTime(const FrameLimits& limits, std::uint64_t points) const;
   double GetTime(const FrameLimits& limits, std::uint64_t points, double distance) const;
 
-  Recent PerTet{ 3e-7 };
-  Recent PerRay{ 3e-7 }; // times the powers
-  Recent Fixed{ 5e-3 };
+  RecentCost PerTet{ 3e-7 };
+  RecentCost PerRay{ 3e-7 }; // times the powers
+  RecentCost Fixed{ 5e-3 };
 };
 }
 

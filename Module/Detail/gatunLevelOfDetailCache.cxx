@@ -47,20 +47,19 @@ class LevelOfDetailCache::Internals
 public:
   Internals(MakeLevels makeLevels, std::shared_ptr<RaySource> whole, const Limits& limits)
     : Maker(std::move(makeLevels))
-    , Whole(std::move(whole))
     , Space(limits)
   {
+    this->Whole.Made.Source = std::move(whole);
   }
 
   const MakeLevels Maker;
-  const std::shared_ptr<RaySource> Whole;
   const Limits Space;
   std::atomic<double> Done{ 0 }; // fraction, of finding the levels of detail
 
   // With the lock of the worker:
   std::shared_ptr<LevelsOfDetail> Detail;
-  std::vector<Level> Levels; // coarser than the whole mesh
-  bool IsWholeComplete = false;
+  Level Whole;               // the whole mesh, always there
+  std::vector<Level> Levels; // coarser ones
   std::uint64_t Uses = 0;
   std::deque<DetailRequest> Wanted;
   std::optional<DetailRequest> Now;              // the level in work
@@ -72,9 +71,8 @@ public:
   // With the lock of the worker:
   bool IsWhole(const DetailRequest& request) const
   {
-    return request.Points == this->Detail->GetNumberOfPoints() && !request.View;
+    return this->Detail && request == this->Whole.Request;
   }
-  DetailRequest Clamp(const DetailRequest& request) const;
   std::uint64_t GetBytes(std::uint64_t points) const
   {
     return BytesPerTet * this->Detail->EstimateTets(points);
@@ -84,7 +82,7 @@ public:
     return level.Bytes + this->GetBytes(level.Points);
   }
   Level* Find(const DetailRequest& request);
-  void Add(Level level);
+  void Put(Level level);
   bool IsReady(const DetailRequest& request);
   bool IsWorthwhile(const DetailRequest& request);
   void SeeView(const DetailRequest& request);
@@ -99,30 +97,27 @@ public:
 };
 
 //------------------------------------------------------------------------------
-DetailRequest LevelOfDetailCache::Internals::Clamp(const DetailRequest& request) const
-{
-  const auto all = this->Detail->GetNumberOfPoints();
-  DetailRequest result = request;
-  result.Points = std::clamp(request.Points, this->Detail->GetFewestPoints(), all);
-  if (result.Points == all && request.View && !(request.View->PixelError > 0))
-  {
-    result.View = nullptr;
-  }
-  return result;
-}
-
-//------------------------------------------------------------------------------
 Level* LevelOfDetailCache::Internals::Find(const DetailRequest& request)
 {
+  if (this->IsWhole(request))
+  {
+    return &this->Whole;
+  }
   const auto found = std::find_if(this->Levels.begin(), this->Levels.end(),
     [&](const Level& level) { return level.Request == request; });
   return found == this->Levels.end() ? nullptr : &*found;
 }
 
 //------------------------------------------------------------------------------
-void LevelOfDetailCache::Internals::Add(Level level)
+/** Keeps a level, in place of what was known of it. */
+void LevelOfDetailCache::Internals::Put(Level level)
 {
   level.Used = ++this->Uses;
+  if (Level* const known = this->Find(level.Request))
+  {
+    *known = std::move(level);
+    return;
+  }
   std::uint64_t bytes = this->GetBytes(level.Made);
   for (const Level& other : this->Levels)
   {
@@ -141,10 +136,6 @@ void LevelOfDetailCache::Internals::Add(Level level)
 //------------------------------------------------------------------------------
 bool LevelOfDetailCache::Internals::IsReady(const DetailRequest& request)
 {
-  if (this->IsWhole(request))
-  {
-    return this->IsWholeComplete;
-  }
   const Level* const level = this->Find(request);
   return level && level->IsComplete;
 }
@@ -184,13 +175,14 @@ void LevelOfDetailCache::Internals::FindLevels()
     [&]
     {
       this->Detail = std::move(detail);
+      this->Whole.Request.Points = this->Whole.Made.Points = this->Detail->GetNumberOfPoints();
       // There can be no requests yet.
       auto points = this->Detail->GetNumberOfPoints();
       while (points > FirstPoints)
       {
         points /= 2;
       }
-      this->Wanted.push_back(this->Clamp({ points, nullptr }));
+      this->Wanted.push_back(this->Detail->Clamp({ points, nullptr }));
     });
 }
 
@@ -201,7 +193,7 @@ void LevelOfDetailCache::Internals::Complete(Level& level)
   const auto rest = [&](double) { return this->Worker.GoOn(); };
   if (!level.Made.Source)
   {
-    level.Made = this->Detail->MakeLevel(level.Request, this->Space.Simpler, rest);
+    level.Made = this->Detail->MakeLevel(level.Request, rest);
   }
   RaySource& source = *level.Made.Source;
   std::optional<DetailWeights> weights;
@@ -231,43 +223,29 @@ void LevelOfDetailCache::Internals::Work()
   auto lock = this->Worker.Lock();
   while (!this->Worker.MustStop() && !this->Wanted.empty())
   {
-    Level level;
-    level.Request = this->Wanted.front();
-    level.View = this->Views;
+    const DetailRequest request = this->Wanted.front();
     this->Wanted.pop_front();
-    if (!this->IsWorthwhile(level.Request))
+    if (!this->IsWorthwhile(request))
     {
       continue;
     }
-    const bool isWhole = this->IsWhole(level.Request);
-    if (isWhole)
-    {
-      level.Made = { this->Whole, level.Request.Points };
-    }
-    else if (Level* const begun = this->Find(level.Request))
-    {
-      level = std::move(*begun);
-      this->Levels.erase(this->Levels.begin() + (begun - this->Levels.data()));
-    }
-    this->Now = level.Request;
+    const Level* const begun = this->Find(request);
+    Level level = begun ? *begun : Level{ request, this->Views, {} };
+    this->Now = request;
     lock.unlock();
+    bool isMade = true;
     try
     {
       this->Complete(level);
     }
     catch (...)
     {
-      // Get will meet the same failure and report it.
-      level.Made = {};
+      isMade = false; // Get will meet the same failure and report it.
     }
     lock.lock();
-    if (isWhole)
+    if (isMade && level.Made.Source)
     {
-      this->IsWholeComplete = level.IsComplete;
-    }
-    else if (level.Made.Source)
-    {
-      this->Add(std::move(level));
+      this->Put(std::move(level));
     }
     this->Now.reset();
   }
@@ -361,8 +339,8 @@ std::shared_ptr<RaySource> LevelOfDetailCache::GetWhole()
     lock.lock();
   }
   // A source in use is not prepared in the background.
-  self.IsWholeComplete = true;
-  return self.Whole;
+  self.Whole.IsComplete = true;
+  return self.Whole.Made.Source;
 }
 
 //------------------------------------------------------------------------------
@@ -371,7 +349,7 @@ DetailLevel LevelOfDetailCache::Get(const DetailRequest& wanted)
   auto& self = *this->Self;
   std::optional<Hold<Internals>> hold; // ends without the lock
   auto lock = self.Worker.Lock();
-  const DetailRequest request = self.Clamp(wanted);
+  const DetailRequest request = self.Detail->Clamp(wanted);
   if (self.IsWhole(request))
   {
     lock.unlock();
@@ -387,11 +365,7 @@ DetailLevel LevelOfDetailCache::Get(const DetailRequest& wanted)
   // The worker may have begun this level.
   if (!self.Find(request))
   {
-    Level made;
-    made.Request = request;
-    made.View = self.Views;
-    made.Made = self.Detail->MakeLevel(request, self.Space.Simpler, {});
-    self.Add(std::move(made));
+    self.Put({ request, self.Views, self.Detail->MakeLevel(request, {}) });
   }
   Level& level = *self.Find(request);
   level.IsComplete = true;
@@ -459,7 +433,7 @@ void LevelOfDetailCache::Prepare(const std::vector<DetailRequest>& wanted)
     self.Wanted.clear();
     for (const auto& request : wanted)
     {
-      const auto clamped = self.Clamp(request);
+      const auto clamped = self.Detail->Clamp(request);
       self.SeeView(clamped);
       const bool isNow = self.Now && clamped == *self.Now;
       const bool isLike = isNow || (self.Now && self.Now->View && clamped.View);

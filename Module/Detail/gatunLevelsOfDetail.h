@@ -7,6 +7,7 @@
 #include "gatunExport.h"
 #include "gatunRaySource.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 
@@ -21,41 +22,38 @@ struct DetailLevel
 };
 
 /**
- * The levels of detail of a mesh: any number of points, from all of them to the fewest.
+ * The levels of detail of a mesh: any number of points, from all of them to the fewest, the same
+ * everywhere or finer where a view needs it.
  *
- * Only one thread at a time may call MakeSource; other threads may call the other methods
- * meanwhile.
+ * Only one thread at a time may call MakeLevel; other threads may call the other methods meanwhile.
  */
 class GATUN_EXPORT LevelsOfDetail
 {
 public:
-  /** The finest places of a mesh for a view are those of a uniform mesh with this factor times its
-   * points. */
-  static constexpr std::uint64_t FinestToUniform = 8;
-
   virtual ~LevelsOfDetail() = default;
 
   virtual std::uint64_t GetNumberOfPoints() const = 0; ///< of the whole mesh
   virtual std::uint64_t GetFewestPoints() const = 0;   ///< of the coarsest level
 
-  /**
-   * Returns the level with a given number of points, or the nearest one. A source takes little
-   * time; its blocks are made when they are requested, and kept within a budget in bytes. Two
-   * threads must not use the same source at the same time, but may use different ones.
-   */
-  virtual std::shared_ptr<RaySource> MakeSource(std::uint64_t points, std::uint64_t budget) = 0;
+  /** The nearest level that there is. With all points and no error it is the same for all views. */
+  DetailRequest Clamp(const DetailRequest& wanted) const
+  {
+    const auto all = this->GetNumberOfPoints();
+    const auto points = std::clamp(wanted.Points, this->GetFewestPoints(), all);
+    const bool isWhole = points == all && !(wanted.View && wanted.View->PixelError > 0);
+    return { points, isWhole ? nullptr : wanted.View };
+  }
 
   /**
-   * Returns a level for a view, or a uniform level without a view or if the mesh is not simplified
-   * for views. Progress: of the preparation for views; if it returns false, Error(Aborted) is
-   * thrown.
+   * Returns the nearest level; a uniform one without a view or if the mesh is not simplified for
+   * views. A source takes little time; its blocks are made when they are requested, and kept within
+   * a budget. Two threads must not use the same source at the same time, but may use different
+   * ones.
+   *
+   * Progress: of the preparation for views; if it returns false, Error(Aborted) is thrown.
    */
   virtual DetailLevel MakeLevel(
-    const DetailRequest& request, std::uint64_t budget, const RaySource::Progress& progress)
-  {
-    (void)progress;
-    return { this->MakeSource(request.Points, budget), request.Points };
-  }
+    const DetailRequest& request, const RaySource::Progress& progress) = 0;
 
   /** Estimates the number of tetrahedra of a level. */
   virtual std::uint64_t EstimateTets(std::uint64_t points) const = 0;

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunMemoryLevelsOfDetail.h"
 
+#include "gatunBaseMeshes.h"
 #include "gatunBlockMesh.h"
-#include "gatunDetailCuts.h"
 #include "gatunDetailWeights.h"
 #include "gatunError.h"
 #include "gatunMemoryRaySource.h"
 #include "gatunMergeBuilder.h"
 #include "gatunParallel.h"
 #include "gatunPartition.h"
+#include "gatunVolumeDetail.h"
 #include "gatunWithType.h"
 
 #include <algorithm>
@@ -244,6 +245,7 @@ class MemoryLevelsOfDetail::Internals
 public:
   std::shared_ptr<const MemoryRayMesh> Mesh;
   MergeTree Tree;
+  std::uint64_t Budget;
   Bounds Box;
 
   mutable std::mutex Guard;                                    // of what follows
@@ -257,12 +259,13 @@ public:
     const TetList& base, const std::vector<std::uint32_t>& ancestors) const;
   std::shared_ptr<const TetList> MakeTets(std::uint64_t points);
   std::size_t FindBase(const DetailView& view, std::uint64_t points) const;
-  const DetailCuts& GetCuts(std::size_t halvings, const RaySource::Progress& progress);
+  const VolumeDetail& GetDetail(std::size_t halvings, const RaySource::Progress& progress);
+  std::shared_ptr<RaySource> MakeSource(std::shared_ptr<const TetList> list) const;
 
   // For views, of one base at a time, and only for who makes sources.
   std::size_t Halvings = 0;
   std::shared_ptr<const TetList> CutTets;
-  std::unique_ptr<DetailCuts> Cuts;
+  std::unique_ptr<VolumeDetail> Detail;
 };
 
 //------------------------------------------------------------------------------
@@ -356,15 +359,15 @@ std::size_t MemoryLevelsOfDetail::Internals::FindBase(
 }
 
 //------------------------------------------------------------------------------
-/** The cuts of a base. */
-const DetailCuts& MemoryLevelsOfDetail::Internals::GetCuts(
+/** What chooses the merges of a base. */
+const VolumeDetail& MemoryLevelsOfDetail::Internals::GetDetail(
   std::size_t halvings, const RaySource::Progress& progress)
 {
-  if (this->Cuts && this->Halvings == halvings)
+  if (this->Detail && this->Halvings == halvings)
   {
-    return *this->Cuts;
+    return *this->Detail;
   }
-  this->Cuts.reset();
+  this->Detail.reset();
   const auto points = this->GetPoints() >> halvings;
   this->CutTets = halvings == 0 ? this->Mesh->GetInternals().Whole : this->MakeTets(points);
   const auto& all = this->Tree.GetMerges();
@@ -374,7 +377,7 @@ const DetailCuts& MemoryLevelsOfDetail::Internals::GetCuts(
   auto dependencies =
     std::make_shared<const MergeDependencies>(*tree, this->CutTets->Tets, progress);
   // Only merges ask for places.
-  std::vector<DetailCuts::Place> places;
+  std::vector<VolumeDetail::Place> places;
   const auto none = static_cast<std::uint32_t>(tree->GetMerges().size());
   std::vector<std::uint32_t> placeOf(this->GetPoints(), none);
   const auto& known = this->Mesh->GetInternals().Points;
@@ -383,31 +386,27 @@ const DetailCuts& MemoryLevelsOfDetail::Internals::GetCuts(
     placeOf[merge.Point] = static_cast<std::uint32_t>(places.size());
     places.push_back({ known[merge.Point], {} });
   }
-  const TetList& list = *this->CutTets;
-  for (std::size_t i = 0; i < list.Tets.size(); ++i)
-  {
-    Range values;
-    for (const auto corner : list.Tets[i])
-    {
-      values.Include(list.Values.empty() ? known[corner].Value : list.Values[i]);
-    }
-    for (const auto corner : list.Tets[i])
-    {
-      if (placeOf[corner] != none)
-      {
-        places[placeOf[corner]].Values.Include(values);
-      }
-    }
-  }
-  this->Cuts = std::make_unique<DetailCuts>(tree, std::move(dependencies), this->GetPoints() - done,
-    std::move(places), std::move(placeOf), std::vector<std::uint32_t>{}, GetDiagonal(this->Box));
+  IncludeValues(this->CutTets->Tets, known, this->CutTets->Values,
+    [&](std::uint32_t corner)
+    { return placeOf[corner] != none ? &places[placeOf[corner]] : nullptr; });
+  this->Detail = std::make_unique<VolumeDetail>(
+    CutChooser(tree, std::move(dependencies), this->GetPoints() - done), std::move(places),
+    std::move(placeOf), std::vector<std::uint32_t>{}, GetDiagonal(this->Box));
   this->Halvings = halvings;
-  return *this->Cuts;
+  return *this->Detail;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<RaySource> MemoryLevelsOfDetail::Internals::MakeSource(
+  std::shared_ptr<const TetList> list) const
+{
+  auto starts = CutIntoBlocks(list->Tets.size());
+  return MakeListSource(this->Mesh, std::move(list), std::move(starts), this->Budget);
 }
 
 //------------------------------------------------------------------------------
 MemoryLevelsOfDetail::MemoryLevelsOfDetail(
-  std::shared_ptr<const MemoryRayMesh> mesh, MergeTree tree)
+  std::shared_ptr<const MemoryRayMesh> mesh, MergeTree tree, std::uint64_t budget)
   : Self(std::make_unique<Internals>())
 {
   const auto points = mesh->GetNumberOfPoints();
@@ -424,6 +423,7 @@ MemoryLevelsOfDetail::MemoryLevelsOfDetail(
   }
   this->Self->Mesh = std::move(mesh);
   this->Self->Tree = std::move(tree);
+  this->Self->Budget = budget;
 }
 
 MemoryLevelsOfDetail::~MemoryLevelsOfDetail() = default;
@@ -441,44 +441,29 @@ std::uint64_t MemoryLevelsOfDetail::GetFewestPoints() const
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<RaySource> MemoryLevelsOfDetail::MakeSource(
-  std::uint64_t points, std::uint64_t budget)
-{
-  auto& self = *this->Self;
-  points = std::clamp(points, self.GetFewest(), self.GetPoints());
-  if (points == self.GetPoints())
-  {
-    return MakeWholeSource(self.Mesh, budget);
-  }
-  auto list = self.MakeTets(points);
-  {
-    const std::lock_guard<std::mutex> lock(self.Guard);
-    self.Counts[points] = list->Tets.size();
-  }
-  auto starts = CutIntoBlocks(list->Tets.size());
-  return MakeListSource(self.Mesh, std::move(list), std::move(starts), budget);
-}
-
-//------------------------------------------------------------------------------
 DetailLevel MemoryLevelsOfDetail::MakeLevel(
-  const DetailRequest& request, std::uint64_t budget, const RaySource::Progress& progress)
+  const DetailRequest& wanted, const RaySource::Progress& progress)
 {
   auto& self = *this->Self;
-  const auto points = std::clamp(request.Points, self.GetFewest(), self.GetPoints());
-  const bool isWhole =
-    points == self.GetPoints() && !(request.View && request.View->PixelError > 0);
-  if (!request.View || isWhole)
+  const auto [points, view] = this->Clamp(wanted);
+  if (!view && points == self.GetPoints())
   {
-    return { this->MakeSource(points, budget), points };
+    return { MakeWholeSource(self.Mesh, self.Budget), points };
   }
-  const DetailCuts& cuts = self.GetCuts(self.FindBase(*request.View, points), progress);
-  const auto before = self.Tree.GetMerges().size() - cuts.GetTree().GetMerges().size();
-  const MergeCut cut = cuts.Choose(*request.View, points);
-  auto list = self.Simplify(*self.CutTets, cut.GetAncestors());
-  auto starts = CutIntoBlocks(list->Tets.size());
-  const auto merges = before + cut.GetNumberOfMerges();
-  return { MakeListSource(self.Mesh, std::move(list), std::move(starts), budget),
-    self.GetPoints() - merges };
+  if (!view)
+  {
+    auto list = self.MakeTets(points);
+    {
+      const std::lock_guard<std::mutex> lock(self.Guard);
+      self.Counts[points] = list->Tets.size();
+    }
+    return { self.MakeSource(std::move(list)), points };
+  }
+  const VolumeDetail& detail = self.GetDetail(self.FindBase(*view, points), progress);
+  const auto before = self.Tree.GetMerges().size() - detail.GetTree().GetMerges().size();
+  const MergeCut cut = detail.Choose(*view, points);
+  return { self.MakeSource(self.Simplify(*self.CutTets, cut.GetAncestors())),
+    self.GetPoints() - before - cut.GetNumberOfMerges() };
 }
 
 //------------------------------------------------------------------------------

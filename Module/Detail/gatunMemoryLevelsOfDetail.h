@@ -62,15 +62,15 @@ GATUN_EXPORT std::shared_ptr<RaySource> MakeWholeSource(
 class GATUN_EXPORT MemoryLevelsOfDetail final : public LevelsOfDetail
 {
 public:
-  /** Throws InvalidInput if the tree has another number of points. */
-  MemoryLevelsOfDetail(std::shared_ptr<const MemoryRayMesh> mesh, MergeTree tree);
+  /** Budget: for the blocks of a level, in bytes. Throws InvalidInput if the tree has another
+   * number of points. */
+  MemoryLevelsOfDetail(
+    std::shared_ptr<const MemoryRayMesh> mesh, MergeTree tree, std::uint64_t budget);
   ~MemoryLevelsOfDetail() override;
 
   std::uint64_t GetNumberOfPoints() const override;
   std::uint64_t GetFewestPoints() const override;
-  std::shared_ptr<RaySource> MakeSource(std::uint64_t points, std::uint64_t budget) override;
-  DetailLevel MakeLevel(const DetailRequest& request, std::uint64_t budget,
-    const RaySource::Progress& progress) override;
+  DetailLevel MakeLevel(const DetailRequest& request, const RaySource::Progress& progress) override;
   std::uint64_t EstimateTets(std::uint64_t points) const override;
 
 private:

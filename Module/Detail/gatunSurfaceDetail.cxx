@@ -1,18 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Based on: Hugues Hoppe: View-dependent refinement of progressive meshes. SIGGRAPH 1997. David
-// Luebke, Carl Erikson: View-dependent simplification of arbitrary polygonal environments. SIGGRAPH
-// 1997. Adriaan van Oosterom, Jan Strackee: The solid angle of a plane triangle. IEEE Transactions
-// on Biomedical Engineering, 1983.
+// Based on: Adriaan van Oosterom, Jan Strackee: The solid angle of a plane triangle. IEEE
+// Transactions on Biomedical Engineering, 1983.
 
 #include "gatunSurfaceDetail.h"
 
 #include "gatunDetailWeights.h"
 #include "gatunError.h"
-#include "gatunMergeSelection.h"
-#include "gatunParallel.h"
 #include "gatunTypes.h"
+#include "gatunVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,79 +36,18 @@ constexpr std::uint64_t HullPoints = 2000;
 constexpr double RightAngle = std::numbers::pi / 2;
 
 //------------------------------------------------------------------------------
-Point Subtract(const Point& a, const Point& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-Point Cross(const Point& a, const Point& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-template <typename A, typename B>
-double Dot(const A& a, const B& b)
-{
-  return double{ a[0] } * double{ b[0] } + double{ a[1] } * double{ b[1] } +
-    double{ a[2] } * double{ b[2] };
-}
-
-template <typename A>
-double Norm(const A& a)
-{
-  return std::sqrt(Dot(a, a));
-}
-
-//------------------------------------------------------------------------------
-/** Where the eye is, or which way rays go in a parallel projection. */
-struct Eye
-{
-  Point Place{};
-  Point Direction{}; // of length 1
-  bool IsParallel;
-
-  explicit Eye(const RayView& view)
-    : IsParallel(!view.Perspective)
-  {
-    const auto row = [&](std::size_t i) {
-      return Point{ view.ToRays[i][0], view.ToRays[i][1], view.ToRays[i][2] };
-    };
-    const std::array<Point, 3> crosses{ Cross(row(1), row(2)), Cross(row(2), row(0)),
-      Cross(row(0), row(1)) };
-    const double determinant = Dot(row(0), crosses[0]);
-    const double length = Norm(crosses[2]) * (determinant < 0 ? -1 : 1);
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      // By the rule of Cramer: where ray coordinates are 0, and along which the first two are.
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        this->Place[c] -= crosses[i][c] * view.ToRays[i][3] / determinant;
-      }
-      this->Direction[c] = crosses[2][c] / length;
-    }
-  }
-
-  /** From a place towards the eye. */
-  Point GetWay(const Point& place) const
-  {
-    return this->IsParallel ? Point{ -this->Direction[0], -this->Direction[1], -this->Direction[2] }
-                            : Subtract(this->Place, place);
-  }
-};
-
-//------------------------------------------------------------------------------
 /** Of the errors of a part of a surface, how much counts: 0 to 1. Normal: mean, shorter than 1 if
  * the part is bent. */
-template <typename Normal>
-double Face(const Normal& normal, const Point& way, bool hidesBack, bool hidesFront)
+double Face(const glm::dvec3& normal, const glm::dvec3& way, bool hidesBack, bool hidesFront)
 {
-  const double length = Norm(normal);
-  const double distance = Norm(way);
+  const double length = glm::length(normal);
+  const double distance = glm::length(way);
   if (!(length > 0) || !(distance > 0))
   {
     return 1;
   }
-  const double angle = std::acos(std::clamp(Dot(normal, way) / (length * distance), -1.0, 1.0));
+  const double cosine = glm::dot(normal, way) / (length * distance);
+  const double angle = std::acos(std::clamp(cosine, -1.0, 1.0));
   const double spread = std::acos(std::min(length, 1.0));
   // From the silhouette, 0 where a part of it is at it.
   const double beyond = std::max(0.0, std::abs(angle - RightAngle) - spread);
@@ -158,17 +94,17 @@ std::uint32_t FindRoot(std::vector<std::uint32_t>& parents, std::uint32_t point)
 
 //------------------------------------------------------------------------------
 /** The part of all directions in which a triangle is seen, times 4 pi; negative from its back. */
-double GetSolidAngle(const std::array<Point, 3>& triangle, const Point& from)
+double GetSolidAngle(const std::array<Point, 3>& triangle, const glm::dvec3& from)
 {
-  const Point a = Subtract(triangle[0], from);
-  const Point b = Subtract(triangle[1], from);
-  const Point c = Subtract(triangle[2], from);
-  const double la = Norm(a);
-  const double lb = Norm(b);
-  const double lc = Norm(c);
+  const glm::dvec3 a = ToVector(triangle[0]) - from;
+  const glm::dvec3 b = ToVector(triangle[1]) - from;
+  const glm::dvec3 c = ToVector(triangle[2]) - from;
+  const double la = glm::length(a);
+  const double lb = glm::length(b);
+  const double lc = glm::length(c);
   return -2 *
-    std::atan2(
-      Dot(a, Cross(b, c)), la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb);
+    std::atan2(GetDeterminant(a, b, c),
+      la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
 }
 }
 
@@ -176,15 +112,13 @@ double GetSolidAngle(const std::array<Point, 3>& triangle, const Point& from)
 SurfaceDetail::SurfaceDetail(std::shared_ptr<const MergeTree> tree,
   std::shared_ptr<const MergeDependencies> dependencies, std::span<const Point> places,
   std::span<const Triangle> triangles)
-  : Tree(std::move(tree))
-  , Dependencies(std::move(dependencies))
+  : Chooser(tree, std::move(dependencies), tree->GetNumberOfPoints())
 {
-  const std::size_t count = this->Tree->GetNumberOfPoints();
+  const std::size_t count = tree->GetNumberOfPoints();
   const bool fits = std::all_of(triangles.begin(), triangles.end(),
     [count](const Triangle& triangle)
     { return *std::max_element(triangle.begin(), triangle.end()) < count; });
-  if (places.size() != count || !fits ||
-    this->Dependencies->GetNumberOfMerges() != this->Tree->GetMerges().size())
+  if (places.size() != count || !fits)
   {
     ThrowInvalid("the points and triangles are not those of the merges");
   }
@@ -198,13 +132,11 @@ SurfaceDetail::SurfaceDetail(std::shared_ptr<const MergeTree> tree,
   }
   if (!box.IsEmpty())
   {
-    Point diagonal{};
     for (std::size_t c = 0; c < 3; ++c)
     {
       this->Middle[c] = 0.5 * box[c].Min + 0.5 * box[c].Max;
-      diagonal[c] = box[c].Max - box[c].Min;
     }
-    this->Size = Norm(diagonal);
+    this->Size = GetDiagonal(box);
   }
   this->Places.resize(count);
   for (std::size_t i = 0; i < count; ++i)
@@ -233,13 +165,13 @@ void SurfaceDetail::FindNormals(std::span<const Triangle> triangles)
   const auto at = [this](std::uint32_t i)
   {
     const Small& place = this->Places[i];
-    return Point{ place[0], place[1], place[2] };
+    return glm::dvec3(place[0], place[1], place[2]);
   };
   for (const Triangle& t : triangles)
   {
-    const Point first = at(t[0]);
-    const Point normal = Cross(Subtract(at(t[1]), first), Subtract(at(t[2]), first));
-    const double area = Norm(normal);
+    const glm::dvec3 first = at(t[0]);
+    const glm::dvec3 normal = glm::cross(at(t[1]) - first, at(t[2]) - first);
+    const double area = glm::length(normal);
     if (!std::isfinite(area))
     {
       continue;
@@ -248,7 +180,7 @@ void SurfaceDetail::FindNormals(std::span<const Triangle> triangles)
     {
       for (std::size_t c = 0; c < 3; ++c)
       {
-        this->Normals[corner][c] += static_cast<float>(normal[c]);
+        this->Normals[corner][c] += static_cast<float>(normal[static_cast<int>(c)]);
       }
       areas[corner] += static_cast<float>(area);
     }
@@ -262,7 +194,7 @@ void SurfaceDetail::FindNormals(std::span<const Triangle> triangles)
   };
   // What is merged into a point before it is merged itself is complete then.
   std::vector<bool> isMerged(this->Places.size(), false);
-  for (const Merge& merge : this->Tree->GetMerges())
+  for (const Merge& merge : this->Chooser.GetTree().GetMerges())
   {
     for (std::size_t c = 0; c < 3; ++c)
     {
@@ -310,13 +242,15 @@ void SurfaceDetail::FindSolid(std::span<const Triangle> triangles)
   for (const Triangle& t : triangles)
   {
     const auto at = corners(t);
-    volumes[FindRoot(parents, t[0])] += Dot(at[0], Cross(at[1], at[2]));
+    volumes[FindRoot(parents, t[0])] +=
+      GetDeterminant(ToVector(at[0]), ToVector(at[1]), ToVector(at[2]));
   }
   this->Solid =
     std::all_of(volumes.begin(), volumes.end(), [](double volume) { return volume >= 0; });
   if (this->Solid)
   {
-    const auto ancestors = this->Tree->FindAncestors(this->Tree->CountMergesForPoints(HullPoints));
+    const auto ancestors = this->Chooser.GetTree().FindAncestors(
+      this->Chooser.GetTree().CountMergesForPoints(HullPoints));
     for (Triangle t : triangles)
     {
       if (Simplify(t, ancestors))
@@ -330,7 +264,7 @@ void SurfaceDetail::FindSolid(std::span<const Triangle> triangles)
 //------------------------------------------------------------------------------
 bool SurfaceDetail::IsInside(const Point& place) const
 {
-  const Point from = Subtract(place, this->Middle);
+  const glm::dvec3 from = ToVector(place) - ToVector(this->Middle);
   double sum = 0;
   for (const auto& triangle : this->Hull)
   {
@@ -343,31 +277,22 @@ bool SurfaceDetail::IsInside(const Point& place) const
 //------------------------------------------------------------------------------
 std::vector<float> SurfaceDetail::Weigh(const SurfaceDetailView& view) const
 {
-  std::vector<float> weights(this->Places.size(), 0);
   if (!(this->Size > 0) || !(view.Scale > 0))
   {
-    return weights;
+    return std::vector<float>(this->Places.size(), 0);
   }
-  const DetailWeights distances(view.View, this->Size);
-  const Eye eye(view.View);
+  const DetailWeights weights(view.View, this->Size);
   const bool hidesBack =
-    view.CullsBackFaces || (view.IsOpaque && this->Solid && !this->IsInside(eye.Place));
-  constexpr std::size_t run = 16384;
-  ParallelFor(weights.size() / run + 1,
-    [&](std::size_t part)
-    {
-      const std::size_t end = std::min(weights.size(), (part + 1) * run);
-      for (std::size_t i = part * run; i < end; ++i)
-      {
-        const Point place = this->Restore(this->Places[i]);
-        const double pixels = view.Scale * double{ distances.Get(place) };
-        weights[i] = pixels > 0
-          ? static_cast<float>(
-              pixels * Face(this->Normals[i], eye.GetWay(place), hidesBack, view.CullsFrontFaces))
-          : 0;
-      }
-    });
-  return weights;
+    view.CullsBackFaces || (view.IsOpaque && this->Solid && !this->IsInside(weights.GetEye()));
+  const auto place = [this](std::size_t i) { return this->Restore(this->Places[i]); };
+  const auto share = [&](std::size_t i)
+  {
+    const Small& n = this->Normals[i];
+    return view.Scale *
+      Face(
+        { n[0], n[1], n[2] }, ToVector(weights.GetWay(place(i))), hidesBack, view.CullsFrontFaces);
+  };
+  return weights.GetAll(this->Places.size(), place, share);
 }
 
 //------------------------------------------------------------------------------
@@ -391,30 +316,5 @@ double SurfaceDetail::BoundWeights(const SurfaceDetailView& view) const
     most = std::max(most, double{ distances.Get(box) });
   }
   return view.Scale * most;
-}
-
-//------------------------------------------------------------------------------
-MergeCut SurfaceDetail::Choose(const SurfaceDetailView& view, std::size_t first) const
-{
-  const MergeTree& tree = *this->Tree;
-  const std::vector<float> weights = this->Weigh(view);
-  const std::uint64_t all = tree.GetNumberOfPoints();
-  const auto choose = [&](std::uint64_t points)
-  {
-    const double tolerance =
-      points < all ? FindTolerance(tree, weights, static_cast<std::size_t>(all - points)) : 0;
-    std::vector<bool> wanted = SelectMerges(tree, weights, std::max(tolerance, view.PixelError));
-    std::fill_n(wanted.begin(), std::min(first, wanted.size()), true);
-    return MergeCut(tree, *this->Dependencies, std::move(wanted));
-  };
-  MergeCut cut = choose(view.Points);
-  const std::uint64_t left = all - cut.GetNumberOfMerges();
-  if (view.Points < all && left > view.Points + view.Points / 20)
-  {
-    // Some that are wanted depend on others that are not.
-    cut = choose(static_cast<std::uint64_t>(static_cast<double>(view.Points) *
-      static_cast<double>(view.Points) / static_cast<double>(left)));
-  }
-  return cut;
 }
 }

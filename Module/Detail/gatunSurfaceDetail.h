@@ -3,15 +3,14 @@
 #ifndef gatunSurfaceDetail_h
 #define gatunSurfaceDetail_h
 
+#include "gatunCutChooser.h"
 #include "gatunExport.h"
-#include "gatunMergeCut.h"
-#include "gatunMergeDependencies.h"
-#include "gatunMergeTree.h"
 #include "gatunRayView.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
@@ -19,6 +18,8 @@
 
 namespace gatun
 {
+class SharedFile;
+
 /** Requirements of an image for a surface. */
 struct SurfaceDetailView
 {
@@ -38,14 +39,12 @@ struct SurfaceDetailView
 };
 
 /**
- * Chooses the merges of a surface that a view allows. A merge is wanted if its error, in pixels at
- * its point, is at most a tolerance. Errors outside of the view and on hidden back faces do not
- * count. Errors count in full at the silhouette, and less where the surface faces the eye. A wanted
- * merge is chosen if its dependencies are wanted, too, so that a closed surface stays closed, and
- * each triangle is one that the surface has after some number of merges.
+ * Chooses the merges of a surface that a view allows. Errors outside of the view and on hidden back
+ * faces do not count. Errors count in full at the silhouette, and less where the surface faces the
+ * eye.
  *
- * The result does not depend on earlier views. Immutable and thread safe. Memory: 24 bytes a point,
- * in addition to the tree and the dependencies.
+ * Immutable and thread safe. Memory: 24 bytes a point, in addition to the tree and the
+ * dependencies.
  */
 class GATUN_EXPORT SurfaceDetail
 {
@@ -60,10 +59,11 @@ public:
     std::shared_ptr<const MergeDependencies> dependencies, std::span<const Point> places,
     std::span<const Triangle> triangles);
 
-  const std::shared_ptr<const MergeTree>& GetTree() const { return this->Tree; }
-
   /** Chooses merges. first: the number of first merges that are made in any case. */
-  MergeCut Choose(const SurfaceDetailView& view, std::size_t first = 0) const;
+  MergeCut Choose(const SurfaceDetailView& view, std::size_t first = 0) const
+  {
+    return this->Chooser.Choose(this->Weigh(view), { view.Points, view.PixelError, first });
+  }
 
   /** For each point, the pixels of an error of 1. */
   std::vector<float> Weigh(const SurfaceDetailView& view) const;
@@ -85,8 +85,7 @@ private:
   void FindNormals(std::span<const Triangle> triangles);
   void FindSolid(std::span<const Triangle> triangles);
 
-  std::shared_ptr<const MergeTree> Tree;
-  std::shared_ptr<const MergeDependencies> Dependencies;
+  CutChooser Chooser;
   Point Middle{};
   double Size = 0;            // diagonal of the bounds
   std::vector<Small> Places;  // from the middle
@@ -94,6 +93,11 @@ private:
   std::vector<std::array<Point, 3>> Hull; // of a solid surface: some triangles, from the middle
   bool Solid = false;
 };
+
+/** Reads the points and triangles of a surface in a file, or of one of its base meshes, at a time
+ * step. If progress returns false, Error(Aborted) is thrown. */
+GATUN_EXPORT std::shared_ptr<const SurfaceDetail> ReadSurfaceDetail(SharedFile& file,
+  std::size_t level, std::size_t step, const std::function<bool(double)>& progress);
 }
 
 #endif

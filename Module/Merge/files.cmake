@@ -17,7 +17,6 @@ gatun_core_folder(Merge
     gatunDependencyCheck.h
     gatunDependencyCodec.h
     gatunMergeBends.h
-    gatunMergeChanges.h
     gatunMergeChoice.h
     gatunMergeCodec.h
     gatunMergeCosts.h
@@ -41,7 +40,6 @@ gatun_core_folder(Merge
     gatunDependencyCodec.cxx
     gatunMergeBends.cxx
     gatunMergeBuilder.cxx
-    gatunMergeChanges.cxx
     gatunMergeCodec.cxx
     gatunMergeCosts.cxx
     gatunMergeCut.cxx

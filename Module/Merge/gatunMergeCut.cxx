@@ -66,24 +66,4 @@ void MergeCut::FindAncestors(const MergeTree& tree)
     }
   }
 }
-
-//------------------------------------------------------------------------------
-std::vector<std::uint32_t> FindChanges(const MergeCut& a, const MergeCut& b)
-{
-  const auto& before = a.GetAncestors();
-  const auto& after = b.GetAncestors();
-  if (before.size() != after.size())
-  {
-    ThrowInvalid("the two cuts are of different meshes");
-  }
-  std::vector<std::uint32_t> changed;
-  for (std::uint32_t point = 0; point < before.size(); ++point)
-  {
-    if (before[point] != after[point])
-    {
-      changed.push_back(point);
-    }
-  }
-  return changed;
-}
 }

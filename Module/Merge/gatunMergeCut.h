@@ -61,10 +61,6 @@ private:
   std::size_t Number = 0;
   std::size_t Last = 0;
 };
-
-/** The points whose ancestors differ between two cuts of one tree, ascending. Throws InvalidInput
- * if the numbers of points differ. */
-GATUN_EXPORT std::vector<std::uint32_t> FindChanges(const MergeCut& a, const MergeCut& b);
 }
 
 #endif

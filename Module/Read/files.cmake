@@ -24,7 +24,6 @@ gatun_core_folder(Read
     gatunBoundaryCheck.h
     gatunCacheParts.h
     gatunCellStore.h
-    gatunChangedChunks.h
     gatunChunkCacheInternals.h
     gatunChunkSet.h
     gatunChunkSetDecoder.h
@@ -44,7 +43,6 @@ gatun_core_folder(Read
     gatunBoundaryCheck.cxx
     gatunBytePlan.cxx
     gatunCellStore.cxx
-    gatunChangedChunks.cxx
     gatunChunkCache.cxx
     gatunChunkSet.cxx
     gatunChunkSetDecoder.cxx

@@ -3,9 +3,11 @@
 
 #include "gatunBytePlan.h"
 
+#include "gatunCoarseLayout.h"
 #include "gatunFileReaderInternals.h"
 #include "gatunRegion.h"
 
+#include <algorithm>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -114,7 +116,17 @@ private:
 void PlanPiece(const FileReader& file, const PieceRequest& request, BytePlan& plan)
 {
   auto chunks = request.Chunks;
-  if (request.Merges > 0)
+  if (request.Merges > 0 && request.Cut && request.GhostLevels == 0)
+  {
+    for (const auto chunk : request.Chunks)
+    {
+      const auto sources = request.Cut->GetSources(chunk);
+      chunks.insert(chunks.end(), sources.begin(), sources.end());
+    }
+    std::sort(chunks.begin(), chunks.end());
+    chunks.erase(std::unique(chunks.begin(), chunks.end()), chunks.end());
+  }
+  else if (request.Merges > 0)
   {
     // Points come from anywhere.
     chunks.resize(file.GetChunks().size());

@@ -108,6 +108,67 @@ void CoarseLayout::FindSources(std::uint32_t chunk)
 }
 
 //------------------------------------------------------------------------------
+/** The box of a chunk and of those whose points are ancestors of its points encloses it after the
+ * merges, and so does the one that the file has for all merges up to the last one. */
+Bounds CoarseLayout::GetBounds(std::uint32_t chunk, std::size_t step) const
+{
+  Bounds box = this->File->GetChunkBounds(chunk, this->Cut.GetLast(), step);
+  if (!this->Cut.IsUniform())
+  {
+    Bounds parts = this->File->GetChunkBounds(chunk, 0, step);
+    for (const auto source : this->GetSources(chunk))
+    {
+      parts.Include(this->File->GetChunkBounds(source, 0, step));
+    }
+    for (std::size_t axis = 0; axis < box.size(); ++axis)
+    {
+      box[axis].Min = std::max(box[axis].Min, parts[axis].Min);
+      box[axis].Max = std::min(box[axis].Max, parts[axis].Max);
+    }
+  }
+  return box;
+}
+
+//------------------------------------------------------------------------------
+double CoarseLayout::GetShareLeft(std::uint32_t chunk) const
+{
+  std::uint64_t all = 0;
+  std::uint64_t left = 0;
+  this->EachRun(chunk,
+    [&](std::uint32_t first, std::uint32_t last)
+    {
+      all += last - first;
+      for (auto point = first; point < last; ++point)
+      {
+        left += this->GetAncestors()[point] == point ? 1 : 0;
+      }
+    });
+  return all > 0 ? static_cast<double>(left) / static_cast<double>(all) : 1;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> CoarseLayout::FindChanges(const CoarseLayout& other) const
+{
+  const auto& before = other.GetAncestors();
+  std::vector<std::uint32_t> changes;
+  for (std::uint32_t chunk = 0; chunk < this->Given.size(); ++chunk)
+  {
+    bool isSame = true;
+    this->EachRun(chunk,
+      [&](std::uint32_t first, std::uint32_t last)
+      {
+        const auto begin = this->GetAncestors().begin() + first;
+        isSame = isSame && std::equal(begin, begin + (last - first), before.begin() + first);
+      });
+    if (!isSame)
+    {
+      changes.push_back(chunk);
+    }
+  }
+  return changes;
+}
+
+//------------------------------------------------------------------------------
 void CoarseLayout::EachRun(const FileReader& file, std::uint32_t chunk,
   const std::function<void(std::uint32_t, std::uint32_t)>& use)
 {

@@ -4,10 +4,10 @@
 #ifndef gatunCoarseLayout_h
 #define gatunCoarseLayout_h
 
+#include "gatunExport.h"
 #include "gatunFileReader.h"
 #include "gatunMergeCut.h"
 #include "gatunMergeTree.h"
-#include "gatunMeshTable.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +19,9 @@
 
 namespace gatun
 {
+struct BlockEntry;
+struct SharedGroup;
+
 /**
  * The dependencies between the chunks of a file after the merges of a cut. The corners of a chunk's
  * tetrahedra become the ancestors of its points, which may belong to other chunks.
@@ -26,7 +29,7 @@ namespace gatun
  * Immutable and thread safe. Memory: four bytes for each point of the file, and some more for each
  * point that a chunk takes from another one.
  */
-class CoarseLayout
+class GATUN_EXPORT CoarseLayout
 {
 public:
   /** Throws InvalidInput if the cut is not one of the tree, or a point without a cell is merged. */
@@ -36,7 +39,18 @@ public:
   CoarseLayout(std::shared_ptr<const FileReader> file, const MergeTree& tree, MergeCut cut,
     std::span<const std::uint32_t> chunks);
 
+  const std::shared_ptr<const FileReader>& GetFile() const { return this->File; }
   const MergeCut& GetCut() const { return this->Cut; }
+
+  /** A box around a chunk after the merges. */
+  Bounds GetBounds(std::uint32_t chunk, std::size_t step) const;
+
+  /** The part of a chunk's points that are not merged into others. */
+  double GetShareLeft(std::uint32_t chunk) const;
+
+  /** The chunks that differ from those after the merges of another cut of the same file, ascending:
+   * those with a point whose ancestor is another one. */
+  std::vector<std::uint32_t> FindChanges(const CoarseLayout& other) const;
 
   /** The ancestor of each point of the file. */
   const std::vector<std::uint32_t>& GetAncestors() const { return this->Cut.GetAncestors(); }

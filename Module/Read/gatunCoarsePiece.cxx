@@ -5,6 +5,7 @@
 
 #include "gatunChunkCache.h"
 #include "gatunChunkSetDecoder.h"
+#include "gatunMeshTable.h"
 #include "gatunParallel.h"
 #include "gatunPieceCells.h"
 #include "gatunPieceRequest.h"

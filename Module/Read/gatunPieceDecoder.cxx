@@ -72,7 +72,8 @@ void PieceDecoder::Internals::CheckRequest(const PieceRequest& request) const
   }
   if (request.Merges > 0 &&
     (!request.Tree || request.Merges > request.Tree->GetMerges().size() ||
-      request.Tree->GetNumberOfPoints() != this->File->GetNumberOfPoints()))
+      request.Tree->GetNumberOfPoints() != this->File->GetNumberOfPoints() ||
+      (request.Cut && request.Cut->GetFile() != this->File)))
   {
     ThrowInvalid("the file has fewer merges than the piece asks for", this->File->GetPath());
   }
@@ -120,8 +121,9 @@ void PieceDecoder::Internals::SetRequest(const PieceRequest& request, const Prog
   this->CheckValues(request);
   FetchPiece(*this->File, request);
   const bool same = (this->Piece || this->Coarse) && request.Merges == this->Request.Merges &&
-    request.Tree == this->Request.Tree && request.RestoreOrder == this->Request.RestoreOrder &&
-    request.Chunks == this->Request.Chunks && request.Universe == this->Request.Universe &&
+    request.Tree == this->Request.Tree && request.Cut == this->Request.Cut &&
+    request.RestoreOrder == this->Request.RestoreOrder && request.Chunks == this->Request.Chunks &&
+    request.Universe == this->Request.Universe &&
     request.GhostLevels == this->Request.GhostLevels && request.Form == this->Request.Form &&
     request.WithUnusedPoints == this->Request.WithUnusedPoints;
   this->Request = request;
@@ -134,7 +136,12 @@ void PieceDecoder::Internals::SetRequest(const PieceRequest& request, const Prog
   this->Coarse.reset();
   if (request.Merges > 0)
   {
-    if (!this->Layout || this->LayoutTree != request.Tree ||
+    if (request.Cut)
+    {
+      this->Layout = request.Cut;
+      this->LayoutTree = nullptr;
+    }
+    else if (!this->Layout || this->LayoutTree != request.Tree ||
       this->Layout->GetCut().GetLast() != request.Merges)
     {
       this->Layout = std::make_shared<const CoarseLayout>(

@@ -13,6 +13,8 @@
 
 namespace gatun
 {
+class CoarseLayout;
+
 /** The form of the cells of a piece. */
 enum class PieceForm : std::uint8_t
 {
@@ -44,6 +46,10 @@ struct PieceRequest
    * but not their order. With ghosts, the whole universe is decoded. */
   std::size_t Merges = 0;
   std::shared_ptr<const MergeTree> Tree; ///< the file's tree, if there are merges
+
+  /** The merges of a cut in place of the first ones of the tree, all of which are among those; or
+   * null. Requests with the same merges can share it. */
+  std::shared_ptr<const CoarseLayout> Cut;
 
   bool operator==(const PieceRequest&) const = default;
 };

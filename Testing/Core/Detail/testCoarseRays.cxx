@@ -3,6 +3,8 @@
 
 // A file that is simplified while it is drawn: the same image as that of the simplified mesh.
 
+#include "gatunChunkCache.h"
+#include "gatunCoarseLayout.h"
 #include "gatunCoarseRaySource.h"
 #include "gatunError.h"
 #include "gatunFileLevelsOfDetail.h"
@@ -107,6 +109,11 @@ protected:
     }
   }
 
+  CoarseRaySource MakeSource(const MergeTree& tree, MergeCut cut, std::uint64_t budget) const
+  {
+    return { std::make_shared<ChunkCache>(this->File, budget), tree, std::move(cut), {} };
+  }
+
   Solid Mesh;
   MergeTree Tree;
   std::shared_ptr<const FileReader> File;
@@ -162,7 +169,7 @@ TEST_P(CoarseRays, BlocksHoldWhatIsLeftInWhateverOrderTheyAreMade)
     const auto left = GetContent(this->Simplify(merges));
     for (const std::uint64_t budget : { 0, 100 << 20 })
     {
-      CoarseRaySource source(this->File, tree, MergeCut(tree, merges), {}, budget);
+      auto source = this->MakeSource(tree, MergeCut(tree, merges), budget);
       std::vector<std::size_t> order(source.GetNumberOfBlocks());
       std::iota(order.begin(), order.end(), std::size_t{ 0 });
       std::mt19937 random(7);
@@ -172,7 +179,7 @@ TEST_P(CoarseRays, BlocksHoldWhatIsLeftInWhateverOrderTheyAreMade)
         EXPECT_EQ(GetContent(source, order), left) << merges;
       }
       // All at once.
-      CoarseRaySource again(this->File, tree, MergeCut(tree, merges), {}, budget);
+      auto again = this->MakeSource(tree, MergeCut(tree, merges), budget);
       std::size_t tets = 0;
       for (const auto& block : again.GetBlocks(order, {}))
       {
@@ -193,22 +200,28 @@ TEST_P(CoarseRays, CutsHoldWhatIsLeftOfTheMesh)
   request.Arrays = { 0 };
   request.WithUnusedPoints = true;
   PieceDecoder decoder(this->File);
-  decoder.SetRequest(request);
-  Solid whole;
-  whole.Points.resize(decoder.GetNumberOfPoints());
-  whole.Tets.resize(decoder.GetNumberOfCells());
   const bool ofCells = GetParam() == Association::Cell;
-  whole.Values.resize(whole.Points.size());
-  whole.CellValues.resize(ofCells ? whole.Tets.size() : 0);
-  PieceTarget target;
-  target.Points = whole.Points.data();
-  target.Connectivity = whole.Tets.data();
-  target.WideIds = false;
-  target.Arrays = { ofCells ? whole.CellValues.data() : whole.Values.data() };
-  decoder.Fill(target);
+  const auto decode = [&]
+  {
+    Solid mesh;
+    decoder.SetRequest(request);
+    mesh.Points.resize(decoder.GetNumberOfPoints());
+    mesh.Tets.resize(decoder.GetNumberOfCells());
+    mesh.Values.resize(mesh.Points.size());
+    mesh.CellValues.resize(ofCells ? mesh.Tets.size() : 0);
+    PieceTarget target;
+    target.Points = mesh.Points.data();
+    target.Connectivity = mesh.Tets.data();
+    target.WideIds = false;
+    target.Arrays = { ofCells ? mesh.CellValues.data() : mesh.Values.data() };
+    decoder.Fill(target);
+    return mesh;
+  };
+  const Solid whole = decode();
 
   const auto tree = this->File->GetMergeTree();
   const MergeDependencies dependencies(tree, whole.Tets);
+  request.Tree = std::make_shared<const MergeTree>(tree);
   for (const double part : { 0.2, 0.5, 0.8 })
   {
     // Coarse to one side.
@@ -234,7 +247,7 @@ TEST_P(CoarseRays, CutsHoldWhatIsLeftOfTheMesh)
         }
       }
     }
-    CoarseRaySource source(this->File, tree, cut, {}, 100 << 20);
+    auto source = this->MakeSource(tree, cut, 100 << 20);
     std::vector<std::size_t> order(source.GetNumberOfBlocks());
     std::iota(order.begin(), order.end(), std::size_t{ 0 });
     EXPECT_EQ(GetContent(source, order), GetContent(left)) << part;
@@ -251,6 +264,13 @@ TEST_P(CoarseRays, CutsHoldWhatIsLeftOfTheMesh)
         EXPECT_TRUE(ofCells || (range.Min <= point.Value && point.Value <= range.Max));
       }
     }
+    // As a piece, too.
+    request.Merges = cut.GetLast();
+    request.Cut = std::make_shared<const CoarseLayout>(decoder.GetFile(), tree, cut);
+    EXPECT_EQ(GetContent(decode()), GetContent(left)) << part;
+    request.Cut = std::make_shared<const CoarseLayout>(
+      std::make_shared<const FileReader>(this->File->GetPath()), tree, cut);
+    EXPECT_THROW(decode(), Error);
   }
 }
 
@@ -266,7 +286,7 @@ TEST_P(CoarseImages, AreThoseOfTheSimplifiedMesh)
   const auto all = tree.GetMerges().size();
   for (const std::size_t merges : { all / 3, all * 3 / 4, all * 19 / 20 })
   {
-    CoarseRaySource source(this->File, tree, MergeCut(tree, merges), {}, 1 << 20);
+    auto source = this->MakeSource(tree, MergeCut(tree, merges), 1 << 20);
     this->ExpectSameImages(source, merges, 7);
   }
 }
@@ -274,7 +294,7 @@ TEST_P(CoarseImages, AreThoseOfTheSimplifiedMesh)
 TEST_P(CoarseRays, DetailComesFromWhatIsNearest)
 {
   this->Write(18, 4000, 8); // 34,992 tetrahedra
-  FileLevelsOfDetail detail(this->File, {});
+  FileLevelsOfDetail detail(std::make_shared<SharedFile>(this->File, 100 << 20), {});
   ASSERT_GE(this->File->GetLevels().size(), 1u);
   const auto points = this->Mesh.Points.size();
   const auto merges = this->Tree.GetMerges().size();
@@ -283,7 +303,7 @@ TEST_P(CoarseRays, DetailComesFromWhatIsNearest)
   for (const std::size_t wanted : { points, points * 4 / 5, points / 2, (points + 1) / 2,
          points / 3, points / 10, points - merges })
   {
-    const auto source = detail.MakeSource(wanted, 100 << 20);
+    const auto source = detail.MakeLevel({ wanted, {} }, {}).Source;
     std::vector<std::size_t> order(source->GetNumberOfBlocks());
     std::iota(order.begin(), order.end(), std::size_t{ 0 });
     const auto left = this->Simplify(points - wanted);
@@ -292,8 +312,8 @@ TEST_P(CoarseRays, DetailComesFromWhatIsNearest)
     EXPECT_NEAR(estimate, static_cast<double>(left.Tets.size()), 0.5 * estimate + 50);
   }
   // From a base mesh fewer chunks are read.
-  EXPECT_LT(detail.MakeSource(points / 3, 0)->GetNumberOfBlocks(),
-    detail.MakeSource(points, 0)->GetNumberOfBlocks());
+  EXPECT_LT(detail.MakeLevel({ points / 3, {} }, {}).Source->GetNumberOfBlocks(),
+    detail.MakeLevel({ points, {} }, {}).Source->GetNumberOfBlocks());
 }
 
 INSTANTIATE_TEST_SUITE_P(Values, CoarseImages, testing::Values(Association::Point));
@@ -308,7 +328,7 @@ TEST(CoarseRaysErrors, FilesWithoutATreeAndWrongSelections)
   const auto file = std::make_shared<const FileReader>(path);
   try
   {
-    const FileLevelsOfDetail detail(file, {});
+    const FileLevelsOfDetail detail(std::make_shared<SharedFile>(file), {});
     FAIL();
   }
   catch (const Error& error)
@@ -320,14 +340,15 @@ TEST(CoarseRaysErrors, FilesWithoutATreeAndWrongSelections)
   const auto points = static_cast<std::uint32_t>(mesh.GetPoints());
   const MergeTree tree(points, { { 1, 2, 0.5f } });
   const MergeCut one(tree, 1);
-  EXPECT_NO_THROW(CoarseRaySource(file, tree, one, {}, 0));
+  const auto cache = std::make_shared<ChunkCache>(file, 0);
+  EXPECT_NO_THROW(CoarseRaySource(cache, tree, one, {}));
   const MergeTree two(points, { { 1, 2, 0.5f }, { 2, 3, 0.5f } });
-  EXPECT_THROW(CoarseRaySource(file, tree, MergeCut(two, 2), {}, 0), Error);
+  EXPECT_THROW(CoarseRaySource(cache, tree, MergeCut(two, 2), {}), Error);
   const MergeTree more(points + 1, {});
-  EXPECT_THROW(CoarseRaySource(file, more, MergeCut(more, 0), {}, 0), Error);
-  EXPECT_THROW(CoarseRaySource(file, tree, one, { 7, 0, 0 }, 0), Error);
-  EXPECT_THROW(CoarseRaySource(file, tree, one, { 0, 1, 0 }, 0), Error);
-  EXPECT_THROW(CoarseRaySource(file, tree, one, { 0, 0, 1 }, 0), Error);
+  EXPECT_THROW(CoarseRaySource(cache, more, MergeCut(more, 0), {}), Error);
+  EXPECT_THROW(CoarseRaySource(cache, tree, one, { 7, 0, 0 }), Error);
+  EXPECT_THROW(CoarseRaySource(cache, tree, one, { 0, 1, 0 }), Error);
+  EXPECT_THROW(CoarseRaySource(cache, tree, one, { 0, 0, 1 }), Error);
 }
 }
 }

@@ -124,7 +124,8 @@ protected:
       const RayValuesInput values{ Association::Point, ScalarType::Float64, 1, 0,
         this->Reference.Values.data() };
       this->Levels = std::make_unique<MemoryLevelsOfDetail>(
-        std::make_shared<const MemoryRayMesh>(this->Mesh.GetInput(), values, nullptr), this->Tree);
+        std::make_shared<const MemoryRayMesh>(this->Mesh.GetInput(), values, nullptr), this->Tree,
+        PlentyForDetail);
       return;
     }
     std::vector<ArrayDescription> arrays(1);
@@ -139,14 +140,15 @@ protected:
     writer.WriteStep({ &values, 1 });
     writer.Finish();
     this->File = std::make_shared<const FileReader>(path);
-    this->Levels = std::make_unique<FileLevelsOfDetail>(this->File, RayValues{});
+    this->Levels = std::make_unique<FileLevelsOfDetail>(
+      std::make_shared<SharedFile>(this->File, PlentyForDetail), RayValues{});
   }
 
   std::uint64_t GetPoints() const { return this->Reference.Points.size(); }
 
   DetailLevel Make(std::uint64_t points, std::shared_ptr<const DetailView> view)
   {
-    return this->Levels->MakeLevel({ points, std::move(view) }, PlentyForDetail, {});
+    return this->Levels->MakeLevel({ points, std::move(view) }, {});
   }
 
   static std::vector<std::shared_ptr<const RayBlock>> GetBlocks(RaySource& source)
@@ -347,8 +349,8 @@ TEST_P(DetailLevelsOfFiles, TakeTheBlocksThatStay)
 TEST_P(DetailLevelsOfBases, ReadWhatTheViewNeeds)
 {
   const auto whole = std::make_shared<const FileReader>(this->File->GetPath());
-  FileLevelsOfDetail all(whole, {});
-  GetTets(*all.MakeSource(this->GetPoints(), PlentyForDetail));
+  FileLevelsOfDetail all(std::make_shared<SharedFile>(whole), {});
+  GetTets(*all.MakeLevel({ this->GetPoints(), {} }, {}).Source);
   const auto before = this->File->GetBytesRead();
   GetTets(*this->Make(this->GetPoints() / 30, MakeView(LookFrom({ 2, 2, S + 1 }))).Source);
   EXPECT_LT(this->File->GetBytesRead() - before, whole->GetBytesRead() / 2);
@@ -365,7 +367,7 @@ TEST_P(DetailLevels, StopWhenTheyMust)
   const DetailRequest request{ this->GetPoints() / 10, MakeView(LookFrom({ 0, 0, 2 * S })) };
   try
   {
-    this->Levels->MakeLevel(request, PlentyForDetail, stop);
+    this->Levels->MakeLevel(request, stop);
     FAIL();
   }
   catch (const Error& error)
@@ -373,7 +375,7 @@ TEST_P(DetailLevels, StopWhenTheyMust)
     EXPECT_EQ(error.Code, ErrorCode::Aborted);
     EXPECT_EQ(calls, 1);
   }
-  ExpectToFill(GetTets(*this->Levels->MakeLevel(request, PlentyForDetail, {}).Source));
+  ExpectToFill(GetTets(*this->Levels->MakeLevel(request, {}).Source));
 }
 
 std::string GetName(const testing::TestParamInfo<Origin>& origin)

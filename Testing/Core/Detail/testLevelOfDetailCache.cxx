@@ -93,18 +93,13 @@ public:
 
   std::uint64_t GetNumberOfPoints() const override { return Points; }
   std::uint64_t GetFewestPoints() const override { return 10; }
-  std::shared_ptr<RaySource> MakeSource(std::uint64_t, std::uint64_t) override
+  /** With an error in pixels, a tenth of the points is enough. */
+  DetailLevel MakeLevel(const DetailRequest& request, const RaySource::Progress&) override
   {
     const Alone alone(this->InUse, *this->Reported);
     ++this->Reported->Sources;
-    return std::make_shared<FakeSource>(this->Reported);
-  }
-  /** With an error in pixels, a tenth of the points is enough. */
-  DetailLevel MakeLevel(
-    const DetailRequest& request, std::uint64_t budget, const RaySource::Progress&) override
-  {
     const bool isRough = request.View && request.View->PixelError > 0;
-    return { this->MakeSource(request.Points, budget), request.Points / (isRough ? 10 : 1) };
+    return { std::make_shared<FakeSource>(this->Reported), request.Points / (isRough ? 10 : 1) };
   }
   std::uint64_t EstimateTets(std::uint64_t points) const override { return 5 * points; }
 

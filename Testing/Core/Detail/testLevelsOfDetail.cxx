@@ -69,7 +69,7 @@ struct LevelSample
   MergeTree MakeTree() const { return this->MakeMesh()->BuildTree(); }
   MemoryLevelsOfDetail MakeLevels(MergeTree tree) const
   {
-    return { this->MakeMesh(), std::move(tree) };
+    return { this->MakeMesh(), std::move(tree), PlentyForLevels };
   }
 };
 
@@ -172,7 +172,7 @@ TEST(LevelsOfDetail, SourcesHoldWhatMergingLeaves)
       for (const std::uint64_t points :
         { 200u, 729u, 728u, 500u, 364u, 365u, 363u, 182u, 100u, 4u })
       {
-        const auto source = detail.MakeSource(points, PlentyForLevels);
+        const auto source = detail.MakeLevel({ points, {} }, {}).Source;
         const auto drawn = Collect(*source);
         EXPECT_EQ(drawn, Merge(sample, tree, points)) << points;
         if (points >= detail.GetFewestPoints())
@@ -194,7 +194,7 @@ TEST(LevelsOfDetail, TetrahedraNeedNotHaveAnyPointInCommon)
     const LevelSample sample(Association::Point, std::move(mesh), false);
     const MergeTree tree(1000, {});
     auto detail = sample.MakeLevels(tree);
-    EXPECT_EQ(Collect(*detail.MakeSource(1000, PlentyForLevels)), Merge(sample, tree, 1000));
+    EXPECT_EQ(Collect(*detail.MakeLevel({ 1000, {} }, {}).Source), Merge(sample, tree, 1000));
   }
 }
 
@@ -204,7 +204,7 @@ TEST(LevelsOfDetail, TheWholeMeshLooksTheSameToTheLastBit)
   const LevelSample sample(Association::Point, 20);
   auto detail = sample.MakeLevels(MergeTree(9261, {}));
   MemoryRaySource plain(sample.Mesh.GetInput(), sample.GetValues(), nullptr, PlentyForLevels);
-  const auto whole = detail.MakeSource(9261, PlentyForLevels);
+  const auto whole = detail.MakeLevel({ 9261, {} }, {}).Source;
   ASSERT_GT(plain.GetNumberOfBlocks(), 1u);
   for (const Viewer& viewer : MakeViewers(20, false))
   {
@@ -244,7 +244,7 @@ TEST(LevelsOfDetail, SourcesOutliveWhatMadeThem)
   std::shared_ptr<RaySource> source;
   {
     LevelSample original(sample);
-    source = original.MakeLevels(tree).MakeSource(300, PlentyForLevels);
+    source = original.MakeLevels(tree).MakeLevel({ 300, {} }, {}).Source;
     std::fill(original.Mesh.Ids.begin(), original.Mesh.Ids.end(), -1);
   }
   EXPECT_EQ(Collect(*source), Merge(sample, tree, 300));

@@ -34,7 +34,8 @@ public:
     const auto copy = std::make_shared<const MemoryRayMesh>(mesh.GetInput(),
       RayValuesInput{ Association::Point, ScalarType::Float64, 1, 0, reference.Values.data() },
       nullptr);
-    this->Detail = std::make_unique<MemoryLevelsOfDetail>(copy, copy->BuildTree());
+    this->Detail =
+      std::make_unique<MemoryLevelsOfDetail>(copy, copy->BuildTree(), PlentyForRefresh);
     this->Settings.Repeatable = true;
     this->Settings.Opaque = opaque;
   }
@@ -42,7 +43,7 @@ public:
   std::uint64_t GetPoints() const { return this->Detail->GetNumberOfPoints(); }
   std::shared_ptr<RaySource> MakeSource(std::uint64_t points) const
   {
-    return this->Detail->MakeSource(points, PlentyForRefresh);
+    return this->Detail->MakeLevel({ points, {} }, {}).Source;
   }
   std::unique_ptr<RayCaster> MakeCaster() const
   {

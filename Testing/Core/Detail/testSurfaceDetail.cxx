@@ -4,7 +4,10 @@
 // Surfaces are simplified for a view.
 
 #include "gatunError.h"
+#include "gatunFileWriter.h"
+#include "gatunSharedFile.h"
 #include "gatunSurfaceDetail.h"
+#include "gatunTestFile.h"
 #include "gatunTestSheets.h"
 
 #include <gtest/gtest.h>
@@ -300,6 +303,48 @@ TEST(SurfaceDetail, IsCoarseWhereTheSurfaceIsTurnedAway)
   inside.Points = 600;
   EXPECT_GT(sample.CountLeft(detail.Choose(inside), { 0, 0, -1 }),
     2 * sample.CountLeft(detail.Choose(inside), { 0, 0, 1 }));
+}
+
+TEST(SurfaceDetail, IsThatOfTheSurfaceInAFile)
+{
+  const SheetSample sample(MakeSphere(100));
+  const std::vector<std::uint8_t> types(sample.Surface.Triangles.size(), 5);
+  std::vector<std::uint32_t> offsets(types.size() + 1);
+  for (std::uint32_t i = 0; i < offsets.size(); ++i)
+  {
+    offsets[i] = 3 * i;
+  }
+  MeshInput input;
+  input.Points = sample.Surface.Points.size();
+  input.CoordinateType = ScalarType::Float64;
+  input.Coordinates = sample.Surface.Points.data();
+  input.Cells = types.size();
+  input.Connectivity = sample.Surface.Triangles.data();
+  input.WideIds = false;
+  input.Types = types.data();
+  input.Offsets = offsets.data();
+  WriterOptions options;
+  options.IsSurface = true;
+  options.ChunkSize = 1000;
+  options.Tree = sample.Tree.get();
+  options.Levels = 1;
+  const auto path = TempPath("detail_of_surface.gtn");
+  FileWriter(path, input, {}, options).Finish();
+  SharedFile file(path, std::uint64_t{ 1 } << 30);
+  ASSERT_EQ(file.GetNumberOfLevels(), 2u);
+  const SurfaceDetail detail = sample.MakeDetail();
+  const auto whole = ReadSurfaceDetail(file, 0, 0, {});
+  const auto base = ReadSurfaceDetail(file, 1, 0, {});
+  EXPECT_EQ(whole->IsSolid(), detail.IsSolid());
+  auto view = MakeView({ 0, 0, 3 }, { 0, 0, 0 });
+  view.Points = sample.Surface.Points.size() / 20;
+  const auto all = static_cast<double>(detail.Choose(view).GetNumberOfMerges());
+  // Normals are added up in another order.
+  EXPECT_NEAR(static_cast<double>(whole->Choose(view).GetNumberOfMerges()), all, 5);
+  const auto before = static_cast<double>(file.GetMergesOfLevel(1));
+  const auto more = static_cast<double>(base->Choose(view).GetNumberOfMerges());
+  EXPECT_NEAR(before + more, all, 0.01 * all);
+  EXPECT_THROW(ReadSurfaceDetail(file, 0, 0, [](double) { return false; }), Error);
 }
 
 TEST(SurfaceDetail, TakesAnyPlaces)

@@ -4,7 +4,6 @@
 // Files with a merge tree. A mesh that is read after a number of merges must equal the result of
 // merging in memory.
 
-#include "gatunChangedChunks.h"
 #include "gatunCoarseLayout.h"
 #include "gatunFileImage.h"
 #include "gatunFileReaderInternals.h"
@@ -406,8 +405,9 @@ TEST_P(TreeFileRead, BoundsAndRangesOfChunksHold)
 TEST_P(TreeFileRead, ChunksChangeWhoseAncestorsChange)
 {
   const auto all = this->FileTree->GetMerges().size();
-  const CoarseLayout layout(this->File, *this->FileTree, MergeCut(*this->FileTree, 0));
-  const MergeChanges changes(this->FileTree);
+  const auto lay = [&](std::size_t merges)
+  { return CoarseLayout(this->File, *this->FileTree, MergeCut(*this->FileTree, merges)); };
+  const CoarseLayout layout = lay(0);
   for (const auto& [from, to] : std::vector<std::pair<std::size_t, std::size_t>>{
          { 0, 0 }, { 0, 1 }, { all / 3, all / 3 + 2 }, { all, all / 2 } })
   {
@@ -423,7 +423,7 @@ TEST_P(TreeFileRead, ChunksChangeWhoseAncestorsChange)
         expected.push_back(chunk);
       }
     }
-    ASSERT_EQ(FindChangedChunks(*this->File, changes, from, to), expected);
+    ASSERT_EQ(lay(to).FindChanges(lay(from)), expected);
   }
 }
 

@@ -313,7 +313,6 @@ TEST(MergeCut, IsTheLargestOneThatIsWanted)
     // Asking again for what there is changes nothing.
     const MergeCut again(ball.Tree, ball.Dependencies, cut.GetDone());
     EXPECT_EQ(again.GetAncestors(), cut.GetAncestors());
-    EXPECT_TRUE(FindChanges(cut, again).empty());
   }
 }
 
@@ -334,17 +333,6 @@ TEST(MergeCut, OfTheFirstMergesIsTheUniformOne)
     EXPECT_EQ(asked.GetAncestors(), uniform.GetAncestors());
     EXPECT_TRUE(asked.IsUniform());
   }
-}
-
-//------------------------------------------------------------------------------
-TEST(MergeCut, TellsWhichPointsChange)
-{
-  const Ball ball(6);
-  const MergeCut whole(ball.Tree, 0);
-  const MergeCut one(ball.Tree, 1);
-  EXPECT_EQ(FindChanges(whole, one), std::vector<std::uint32_t>{ ball.Tree.GetMerges()[0].Point });
-  const MergeCut all(ball.Tree, ball.Tree.GetMerges().size());
-  EXPECT_EQ(FindChanges(whole, all).size(), ball.Tree.GetMerges().size());
 }
 
 //------------------------------------------------------------------------------
@@ -384,7 +372,6 @@ TEST(MergeCut, RefusesWhatDoesNotFit)
   EXPECT_THROW(MergeCut(ball.Tree, ball.Dependencies, { true }), Error);
   const MergeTree other(5, { { 0, 1, 1 } });
   EXPECT_THROW(MergeCut(other, ball.Dependencies, { true }), Error);
-  EXPECT_THROW(FindChanges(MergeCut(ball.Tree, 0), MergeCut(other, 0)), Error);
   EXPECT_THROW(MergeDependencies(other, ball.Tets), Error);
   EXPECT_THROW(MergeDependencies(ball.Tree, ball.Tets, [](double) { return false; }), Error);
 

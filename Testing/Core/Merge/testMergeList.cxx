@@ -5,7 +5,6 @@
 
 #include "gatunError.h"
 #include "gatunMergeBuilder.h"
-#include "gatunMergeChanges.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <memory>
-#include <numeric>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -110,42 +106,6 @@ TEST(MergeTree, CountsMerges)
   EXPECT_EQ(tree.FindAncestors(1), (Ids{ 0, 0, 2, 3, 4, 5 }));
   EXPECT_EQ(tree.FindAncestors(3), (Ids{ 3, 3, 3, 3, 4, 5 }));
   EXPECT_EQ(tree.FindAncestors(99), (Ids{ 3, 3, 3, 3, 5, 5 }));
-}
-
-//------------------------------------------------------------------------------
-TEST(MergeChanges, FindsThePointsThatChange)
-{
-  // Random merges of 300 points.
-  std::mt19937 random(7);
-  std::vector<std::uint32_t> left(300);
-  std::iota(left.begin(), left.end(), 0u);
-  std::vector<Merge> merges;
-  while (left.size() > 5)
-  {
-    std::swap(left[random() % left.size()], left.back());
-    const std::uint32_t point = left.back();
-    left.pop_back();
-    merges.push_back({ point, left[random() % left.size()], 1 });
-  }
-  const auto tree = std::make_shared<const MergeTree>(300, merges);
-  const MergeChanges changes(tree);
-  for (const auto& [from, to] : std::vector<std::pair<std::size_t, std::size_t>>{
-         { 0, 0 }, { 0, 1 }, { 0, 295 }, { 100, 101 }, { 101, 100 }, { 150, 290 }, { 294, 999 } })
-  {
-    const auto before = tree->FindAncestors(from);
-    const auto after = tree->FindAncestors(to);
-    std::vector<std::uint32_t> expected;
-    for (std::uint32_t point = 0; point < 300; ++point)
-    {
-      if (before[point] != after[point])
-      {
-        expected.push_back(point);
-      }
-    }
-    auto changed = changes.Find(from, to);
-    std::sort(changed.begin(), changed.end());
-    EXPECT_EQ(changed, expected) << from << " " << to;
-  }
 }
 
 //------------------------------------------------------------------------------
