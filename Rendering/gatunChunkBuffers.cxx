@@ -3,6 +3,7 @@
 
 #include "gatunChunkBuffers.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace gatun
@@ -26,6 +27,21 @@ void ChunkBuffers::Remove(ChunkedSurface* surface)
     }
     this->Surfaces.remove_if([=](const ChunkedSurface& one) { return &one == surface; });
   }
+}
+
+//------------------------------------------------------------------------------
+void ChunkBuffers::Replace(ChunkedSurface* before, ChunkedSurface& after,
+  const std::optional<std::vector<std::uint32_t>>& changes)
+{
+  for (std::uint32_t i = 0; before && changes && i < after.Chunks.size(); ++i)
+  {
+    if (!std::binary_search(changes->begin(), changes->end(), i))
+    {
+      this->Drop(after.Chunks[i]);
+      std::swap(after.Chunks[i], before->Chunks[i]);
+    }
+  }
+  this->Remove(before);
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <list>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -51,6 +52,11 @@ public:
 
   /** Removes a surface that was added, and frees its chunks. Null: does nothing. */
   void Remove(ChunkedSurface* surface);
+
+  /** Removes a surface that another one replaces, which takes its chunks but for those that change.
+   * Before: null for none. Changes: nothing if all chunks may. */
+  void Replace(ChunkedSurface* before, ChunkedSurface& after,
+    const std::optional<std::vector<std::uint32_t>>& changes);
 
   /** Begins an image. Frees the chunks of another window. Limit: in bytes. */
   void BeginFrame(vtkWindow* window, std::uint64_t limit);

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace gatun
@@ -147,12 +148,7 @@ void CutDrawer::Request(const SurfaceImage& image, double budget)
 void CutDrawer::SetNext(std::shared_ptr<const SurfaceLevel> mesh)
 {
   this->Drop(this->Next);
-  const auto changes = this->Present.Mesh ? mesh->FindChanges(*this->Present.Mesh) : std::nullopt;
-  this->Next.IsNew.assign(mesh->GetNumberOfChunks(), !changes);
-  for (std::size_t i = 0; changes && i < changes->size(); ++i)
-  {
-    this->Next.IsNew[(*changes)[i]] = true;
-  }
+  this->Next.Changes = this->Present.Mesh ? mesh->FindChanges(*this->Present.Mesh) : std::nullopt;
   this->Next.Chunks = this->Chunks.Buffers.Add(mesh);
   this->Next.Mesh = std::move(mesh);
 }
@@ -183,14 +179,14 @@ void CutDrawer::Take()
 std::vector<std::uint32_t> CutDrawer::ListNeeded() const
 {
   const Cut& cut = this->IsAdvancing() ? this->Next : this->Present;
-  std::vector<std::uint32_t> chunks;
-  for (std::uint32_t i = 0; i < cut.Chunks->Chunks.size(); ++i)
+  std::vector<std::uint32_t> chunks(cut.Chunks->Chunks.size());
+  std::iota(chunks.begin(), chunks.end(), 0u);
+  if (this->IsAdvancing() && cut.Changes)
   {
-    if (cut.Mesh->GetNumberOfCells(i) > 0 && (cut.IsNew[i] || !this->IsAdvancing()))
-    {
-      chunks.push_back(i);
-    }
+    chunks = *cut.Changes;
   }
+  std::erase_if(
+    chunks, [&](std::uint32_t chunk) { return cut.Mesh->GetNumberOfCells(chunk) == 0; });
   return chunks;
 }
 
@@ -198,20 +194,7 @@ std::vector<std::uint32_t> CutDrawer::ListNeeded() const
 /** The next surface becomes the present one. Chunks that do not change stay. */
 void CutDrawer::Adopt()
 {
-  if (this->Present.Mesh)
-  {
-    std::vector<SurfaceChunk>& before = this->Present.Chunks->Chunks;
-    std::vector<SurfaceChunk>& after = this->Next.Chunks->Chunks;
-    for (std::size_t i = 0; i < after.size(); ++i)
-    {
-      if (!this->Next.IsNew[i])
-      {
-        this->Chunks.Buffers.Drop(after[i]);
-        std::swap(after[i], before[i]);
-      }
-    }
-  }
-  this->Drop(this->Present);
+  this->Chunks.Buffers.Replace(this->Present.Chunks, *this->Next.Chunks, this->Next.Changes);
   this->Present = std::exchange(this->Next, {});
 }
 

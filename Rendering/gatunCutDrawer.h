@@ -54,7 +54,7 @@ private:
   {
     std::shared_ptr<const SurfaceLevel> Mesh; // null for none
     ChunkedSurface* Chunks = nullptr;
-    std::vector<bool> IsNew; // for each chunk, whether that of the present surface is another one
+    std::optional<std::vector<std::uint32_t>> Changes; // since the one before; nothing: all chunks
   };
 
   bool CanCut(const SurfaceImage& image) const;

@@ -56,28 +56,11 @@ void LevelDrawer::SetSurface(const DrawnSurface& surface)
 {
   const auto changes =
     this->Levels.empty() ? std::nullopt : surface.Mesh->FindChanges(*this->Surface.Mesh);
+  ChunkedSurface* const whole = this->Chunks.Buffers.Add(surface.Mesh);
+  this->Levels.resize(std::max<std::size_t>(this->Levels.size(), 1));
+  this->Chunks.Buffers.Replace(std::exchange(this->Levels.front(), whole), *whole, changes);
   this->Surface = surface;
   this->HasLevels = false;
-  if (changes)
-  {
-    ChunkedSurface& whole = this->GetWhole();
-    for (const std::uint32_t chunk : *changes)
-    {
-      this->Chunks.Buffers.Drop(whole.Chunks[chunk]);
-      whole.Chunks[chunk].Cone = {};
-    }
-    whole.Mesh = surface.Mesh;
-    return;
-  }
-  ChunkedSurface* const whole = this->Chunks.Buffers.Add(surface.Mesh);
-  if (this->Levels.empty())
-  {
-    this->Levels.push_back(whole);
-  }
-  else
-  {
-    this->Chunks.Buffers.Remove(std::exchange(this->Levels.front(), whole));
-  }
 }
 
 //------------------------------------------------------------------------------
