@@ -52,8 +52,8 @@
  * values of all arrays at all steps. Without ids, points inside of pieces are not compared, which
  * matters for lines and surfaces of one piece that touch the inside of another one. Points that
  * differ stay apart, with a warning. An input that does not know pieces is one piece. The time
- * steps of a piece follow each other. Levels and layers need the whole mesh and are an error, and
- * so is a hierarchy with several processes. Points that need more than 64 MiB go into unnamed
+ * steps of a piece follow each other. Layers need the whole mesh and are an error, and so is a
+ * hierarchy with several processes. Points that need more than 64 MiB go into unnamed
  * temporary files in the folder of the file.
  *
  * Processes: with Controller, each process writes its own piece; there is one piece per process.
@@ -247,9 +247,10 @@ public:
   ///@{
   /**
    * Largest number of base meshes to store with the hierarchy, 0 to 64: with an eighth of the
-   * points, or with half of those of a surface, and each further one with half, as long as more
-   * than 20,000 tetrahedra, or cells of a surface, remain. A coarse mesh then costs as much as one
-   * with at most twice as many points. Together they make the file up to a third larger. No effect if Hierarchy is off. Default: 0.
+   * points, or with half of those of a surface, and each further one with half (about, if the mesh
+   * comes in pieces), as long as more than 20,000 tetrahedra, or cells of a surface, remain. A
+   * coarse mesh then costs as much as one with at most twice as many points. Together they make the
+   * file up to a third larger. No effect if Hierarchy is off. Default: 0.
    */
   vtkSetClampMacro(Levels, int, 0, 64);
   vtkGetMacro(Levels, int);

@@ -431,12 +431,10 @@ void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
     gatun::ThrowInvalid("steps are added to a file from the whole mesh, in one piece and one "
                         "process");
   }
-  if ((owner->Hierarchy && owner->Levels > 0) || !owner->LayerArray.empty())
+  if (!owner->LayerArray.empty())
   {
-    gatun::ThrowInvalid(
-      "coarser meshes or layers need the whole mesh in one piece and one process; "
-      "write the file without them, and add them with 'gtn pack --levels' or "
-      "'gtn pack --layers'");
+    gatun::ThrowInvalid("layers need the whole mesh in one piece and one process; write the file "
+                        "without them, and add them with 'gtn pack --layers'");
   }
   if (owner->Hierarchy && this->IsTogether)
   {
@@ -457,6 +455,7 @@ void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
   }
   gatun::PartWriterOptions options;
   options.File = this->MakeOptions(nullptr, {});
+  options.File.Levels = owner->Hierarchy ? static_cast<unsigned>(owner->Levels) : 0;
   this->Pieces = std::make_unique<gatun::GridPieces>(
     owner->FileName ? owner->FileName : "", options,
     [this](vtkUnstructuredGrid* piece) { return this->SelectArrays(piece); },

@@ -588,9 +588,9 @@ extern "C"
    * several parts are one point if their global ids, or without ids their coordinates, and their
    * values are the same.
    *
-   * The hierarchy is that of the whole mesh. It is found by gatun_finish, with temporary files in
-   * the folder of the file: 40 bytes a tetrahedron for a field, and 8 bytes a point for each
-   * component and step.
+   * The hierarchy is that of the whole mesh, as are the levels. They are found by gatun_finish,
+   * with temporary files in the folder of the file: 40 bytes a tetrahedron for a field, and the
+   * points and values without compression, twice with levels.
    */
   GATUN_API gatun_status gatun_create_parts(const char* path, const gatun_array* arrays,
     size_t array_count, const gatun_options* options, gatun_writer** writer);

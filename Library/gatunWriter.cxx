@@ -255,13 +255,13 @@ gatun_status gatun_create_parts(const char* path, const gatun_array* arrays, siz
     {
       NeedPointers(path, writer);
       const auto wish = Take(options);
-      Need(wish.levels == 0 && wish.layers == GATUN_NO_LAYERS,
-        "coarser meshes and layers need the whole mesh, and cannot be written in parts");
+      Need(wish.layers == GATUN_NO_LAYERS,
+        "layers need the whole mesh, and cannot be written in parts");
       auto made = std::make_unique<gatun_writer>();
       made->TakeAll(TakenArrays(arrays, array_count), wish);
       PartWriterOptions own;
       own.File = made->Options;
-      if (wish.hierarchy)
+      if (made->HasHierarchy)
       {
         own.Weights = made->Arrays.FindWeights();
       }

@@ -110,7 +110,9 @@ gatun_set_options(-Os
   Write/gatunPartAssembly.cxx
   Write/gatunPartExchange.cxx
   Write/gatunPartSurvey.cxx
+  Write/gatunPartLevels.cxx
   Write/gatunPartTree.cxx
+  Write/gatunPartValues.cxx
   Write/gatunPartWriter.cxx
   Write/gatunWriterState.cxx)
 

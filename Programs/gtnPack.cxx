@@ -332,8 +332,8 @@ void AddPack(CLI::App& app, Settings& settings)
   command
     ->add_option("--levels", options->Levels,
       "Store the hierarchy and up to N coarser meshes, 0 to 64, the first with an eighth of the "
-      "points and each further one with half, so that coarse levels of detail are read fast "
-      "(default: 0)")
+      "points and each further one with half (about, with --memory or --pieces), so that coarse "
+      "levels of detail are read fast (default: 0)")
     ->check(CLI::Range(0, 64))
     ->option_text("N");
   command->add_flag("--dependencies", options->Dependencies,

@@ -84,7 +84,8 @@ void BrickBuilder::Add(const MergePart& part, const Take& take)
 {
   const MergeInput& mesh = part.Mesh;
   if (part.Numbers.size() != mesh.Points.size() || mesh.Fields.size() != this->Fields.size() ||
-    (!part.IsShared.empty() && part.IsShared.size() != mesh.Points.size()))
+    (!part.IsShared.empty() && part.IsShared.size() != mesh.Points.size()) ||
+    (!part.Cells.empty() && part.Cells.size() != mesh.Cells.size()))
   {
     ThrowInvalid("a part of a mesh is not described completely");
   }
@@ -152,6 +153,10 @@ MergeBrick BrickBuilder::Make(
   for (const auto tet : tets)
   {
     brick.Tets.push_back(part.Mesh.Cells[tet]);
+    if (!part.Cells.empty())
+    {
+      brick.Cells.push_back(part.Cells[tet]);
+    }
     for (const auto point : part.Mesh.Cells[tet])
     {
       if (this->Places[point] == None)

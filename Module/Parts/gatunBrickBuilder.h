@@ -23,6 +23,7 @@ struct MergePart
   MergeInput Mesh;                          ///< without IsKept; all parts have the same fields
   std::span<const std::uint32_t> Numbers;   ///< of its points in the whole mesh
   std::span<const std::uint8_t> IsShared{}; ///< whether other parts may have a point; empty: none
+  std::span<const std::uint32_t> Cells{}; ///< a number that each tetrahedron keeps; empty: none has
 };
 
 /** Cuts the parts of a mesh into bricks, and finds what the costs of merges are relative to. */

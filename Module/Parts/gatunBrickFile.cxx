@@ -19,6 +19,7 @@ void VisitLists(Brick& brick, Visit&& visit)
   visit(brick.Hints);
   visit(brick.Tets);
   visit(brick.Keys);
+  visit(brick.Cells);
 }
 
 std::vector<std::uint8_t> ToBytes(const MergeBrick& brick)
@@ -61,6 +62,7 @@ MergeBrick BrickFile::Read(std::size_t brick) const
   read.Hints.resize(entry.Points);
   read.Tets.resize(entry.Tets);
   read.Keys.resize(entry.Tets);
+  read.Cells.resize(this->HasCells ? entry.Tets : 0);
   std::uint64_t at = entry.Offset;
   VisitLists(read,
     [&](auto& list)

@@ -21,9 +21,10 @@ namespace gatun
 class BrickFile
 {
 public:
-  /** fields: their number in each sample of a brick. */
-  BrickFile(const std::string& folder, std::size_t fields)
+  /** fields: their number in each sample of a brick. hasCells: whether bricks have Cells. */
+  BrickFile(const std::string& folder, std::size_t fields, bool hasCells)
     : Fields(fields)
+    , HasCells(hasCells)
     , File(AtomicFile::MakeScratch(folder))
   {
   }
@@ -46,6 +47,7 @@ private:
   };
 
   const std::size_t Fields;
+  const bool HasCells;
   AtomicFile File;
   std::vector<Entry> Entries;
 };

@@ -213,6 +213,10 @@ MergeBrick Group::Rebuild(std::size_t brick, const MergeMesh& mesh, const MergeF
     }
     made.Tets.push_back(mesh.GetTet(tet));
     made.Keys.push_back(this->Keys[tet]);
+    if (!this->Bricks[brick].Cells.empty())
+    {
+      made.Cells.push_back(this->Bricks[brick].Cells[i]);
+    }
     for (const auto place : mesh.GetTet(tet))
     {
       if (this->Found[place] == 0)

@@ -24,6 +24,7 @@ struct MergeBrick
   std::vector<MergeFields::Sample> Samples;       ///< MergeFields::GetData of each point
   std::vector<std::array<std::uint32_t, 4>> Tets; ///< as places among the points
   std::vector<MergeQueue::Key> Keys; ///< of each tetrahedron, the largest of the merges behind it
+  std::vector<std::uint32_t> Cells;  ///< that the tetrahedra are of (MergePart::Cells), or empty
 };
 }
 

@@ -51,8 +51,9 @@ PartMerges::PartMerges(std::uint32_t points, std::size_t fields, const PartMerge
   , OfGroups{ settings.Merges, fields }
   , Builder(fields,
       static_cast<std::size_t>(std::max<std::uint64_t>(1, settings.TetsOfGroup / BricksOfGroup)))
-  , Bricks(settings.Folder, fields)
+  , Bricks(settings.Folder, fields, settings.KeepsCells)
   , BricksOfPoint(points, 0)
+  , IsGone(points, false)
   , Histogram(std::size_t{ 1 } << 15, 0)
   , Records(settings.Folder, RecordMemory)
 {
@@ -71,6 +72,10 @@ void PartMerges::Add(const MergePart& part)
   {
     ThrowInvalid("a part of a mesh has points that the mesh does not have");
   }
+  if (this->Settings.KeepsCells ? part.Cells.size() != part.Mesh.Cells.size() : !part.Cells.empty())
+  {
+    ThrowInvalid("a part of a mesh has not the numbers of cells that others have");
+  }
   this->Builder.Add(part,
     [this](const MergeBrick& brick, const Bounds& box)
     {
@@ -85,7 +90,7 @@ void PartMerges::Add(const MergePart& part)
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::uint64_t> PartMerges::CountTets() const
+std::vector<std::uint64_t> PartMerges::ListTets() const
 {
   std::vector<std::uint64_t> tets;
   for (std::size_t brick = 0; brick < this->Bricks.GetNumber(); ++brick)
@@ -93,6 +98,13 @@ std::vector<std::uint64_t> PartMerges::CountTets() const
     tets.push_back(this->Bricks.GetTets(brick));
   }
   return tets;
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t PartMerges::CountTets() const
+{
+  const auto tets = this->ListTets();
+  return std::accumulate(tets.begin(), tets.end(), std::uint64_t{ 0 });
 }
 
 //------------------------------------------------------------------------------
@@ -155,6 +167,7 @@ void PartMerges::Note(
   {
     this->Records.Add(
       { merge.Change, merge.Point, merge.Into, group, number++, level, pass, merge.Key });
+    this->IsGone[merge.Point] = true;
   }
   this->Merges += merged.Merges.size();
   for (const auto key : merged.Keys)
@@ -180,8 +193,9 @@ void PartMerges::CountBricks(std::span<const std::pair<std::uint32_t, int>> chan
 /** Merges all groups of a division up to a limit. */
 void PartMerges::RunPass(std::uint16_t level, std::uint16_t pass, unsigned limit)
 {
-  const auto tets = this->CountTets();
-  const auto groups = this->Division->Divide(tets, this->Settings.TetsOfGroup);
+  const auto tets = this->ListTets();
+  this->Groups = this->Division->Divide(tets, this->Settings.TetsOfGroup);
+  const auto& groups = this->Groups;
   std::fill(this->Histogram.begin(), this->Histogram.end(), 0);
   std::vector<std::vector<std::pair<std::uint32_t, int>>> changes(groups.size());
   std::mutex mutex;
@@ -208,14 +222,9 @@ void PartMerges::RunPass(std::uint16_t level, std::uint16_t pass, unsigned limit
 /** Returns the number of levels. */
 std::uint16_t PartMerges::ReduceToOneGroup()
 {
-  const auto count = [&]
-  {
-    const auto tets = this->CountTets();
-    return std::accumulate(tets.begin(), tets.end(), std::uint64_t{ 0 });
-  };
   std::uint16_t level = 0;
   std::uint64_t most = this->Settings.TetsOfGroup;
-  std::uint64_t left = count();
+  std::uint64_t left = this->CountTets();
   if (left <= most)
   {
     return level;
@@ -230,9 +239,10 @@ std::uint16_t PartMerges::ReduceToOneGroup()
     limit = std::max(limit + 1 + (slow > 0 ? SlowStep : 0), this->FindLimit());
     this->RunPass(level, 0, limit);
     this->RunPass(level, 1, limit);
+    this->EndLevel();
     ++level;
     const std::uint64_t before = left;
-    left = count();
+    left = this->CountTets();
     slow = static_cast<double>(left) > SlowLevel * static_cast<double>(before) ? slow + 1 : 0;
     if (slow == MostSlowLevels)
     {
@@ -242,6 +252,78 @@ std::uint16_t PartMerges::ReduceToOneGroup()
     this->Report(PartOfFinding + (1 - PartOfFinding) * (1 - static_cast<double>(left) / all));
   }
   return level;
+}
+
+//------------------------------------------------------------------------------
+void PartMerges::EndLevel()
+{
+  this->MergesOfLevels = static_cast<std::uint32_t>(this->Merges);
+  if (this->OnLevel)
+  {
+    this->OnLevel(this->MergesOfLevels);
+  }
+}
+
+//------------------------------------------------------------------------------
+/** ancestors: of each point after further merges. Empty: there are none. */
+MergedPart PartMerges::Read(
+  const BrickDivision::Group& group, std::span<const std::uint32_t> ancestors) const
+{
+  MergedPart part;
+  std::vector<MergeBrick> bricks;
+  std::vector<std::uint32_t> uses; // of points by bricks
+  for (const auto number : group)
+  {
+    auto& brick = bricks.emplace_back(this->Bricks.Read(number));
+    brick.Samples = {};
+    for (auto& point : brick.Points)
+    {
+      point = ancestors.empty() ? point : ancestors[point];
+    }
+    uses.insert(uses.end(), brick.Points.begin(), brick.Points.end());
+  }
+  std::sort(uses.begin(), uses.end());
+  for (std::size_t first = 0, end = 0; first < uses.size(); first = end)
+  {
+    while (end < uses.size() && uses[end] == uses[first])
+    {
+      ++end;
+    }
+    const auto all = this->BricksOfPoint[uses[first]];
+    part.Points.push_back(uses[first]);
+    part.IsShared.push_back(ancestors.empty() && (all == ManyBricks || all > end - first) ? 1 : 0);
+  }
+  std::vector<std::uint32_t> places;
+  for (const MergeBrick& brick : bricks)
+  {
+    places.clear();
+    for (const auto point : brick.Points)
+    {
+      places.push_back(static_cast<std::uint32_t>(
+        std::lower_bound(part.Points.begin(), part.Points.end(), point) - part.Points.begin()));
+    }
+    for (std::size_t i = 0; i < brick.Tets.size(); ++i)
+    {
+      auto tet = brick.Tets[i];
+      if (Simplify(tet, places))
+      {
+        part.Tets.push_back(tet);
+        if (!brick.Cells.empty())
+        {
+          part.Cells.push_back(brick.Cells[i]);
+        }
+      }
+    }
+  }
+  return part;
+}
+
+//------------------------------------------------------------------------------
+MergedPart PartMerges::ReadRest(std::span<const std::uint32_t> ancestors) const
+{
+  BrickDivision::Group all(this->Bricks.GetNumber());
+  std::iota(all.begin(), all.end(), 0u);
+  return this->Read(all, ancestors);
 }
 
 //------------------------------------------------------------------------------

@@ -27,10 +27,21 @@ struct PartMergeSettings
 
   /** The most tetrahedra of a group of bricks, of which each thread has one in memory at 100 to 160
    * bytes a tetrahedron. It determines the merges, unlike the number of threads. */
-  std::uint64_t TetsOfGroup = 2'000'000;
+  std::uint64_t TetsOfGroup = 0;
 
   /** Where temporary files are made, without names. */
   std::string Folder = ".";
+
+  bool KeepsCells = false; ///< whether the parts have MergePart::Cells, which MergedPart then has
+};
+
+/** Some tetrahedra of a mesh after merges. */
+struct MergedPart
+{
+  std::vector<std::uint32_t> Points;  ///< their numbers in the mesh, ascending
+  std::vector<std::uint8_t> IsShared; ///< whether other parts have a point, too
+  std::vector<MergeTree::Tet> Tets;   ///< as places among the points
+  std::vector<std::uint32_t> Cells;   ///< of each tetrahedron; empty unless they are kept
 };
 
 /**
@@ -61,8 +72,28 @@ public:
   /** The merges depend on the parts and on their order. */
   void Add(const MergePart& part);
 
+  /** Called by Build at the end of each level, when the first merges of the tree, so many, have
+   * been made. */
+  using Listener = std::function<void(std::uint32_t merges)>;
+  void SetListener(Listener listener) { this->OnLevel = std::move(listener); }
+
   /** To be called once behind the last part. progress: see BuildMergeTree. */
   MergeTree Build(const std::function<bool(double)>& progress = {});
+
+  /** The parts of the mesh at the end of the last level. Any group of bricks that fits into memory
+   * may be one. Before the first level there is a single part. */
+  std::size_t GetNumberOfParts() const { return this->Groups.size(); }
+  MergedPart ReadPart(std::size_t part) const { return this->Read(this->Groups[part], {}); }
+
+  /** The tetrahedra of all of them. */
+  std::uint64_t CountTets() const;
+
+  /** All of the mesh after further merges. To be called behind Build. ancestors: of each point. */
+  MergedPart ReadRest(std::span<const std::uint32_t> ancestors) const;
+
+  /** Whether a point has been merged by the end of the last level. */
+  bool IsMerged(std::uint32_t point) const { return this->IsGone[point]; }
+  std::uint32_t GetMergesOfLevels() const { return this->MergesOfLevels; }
 
 private:
   struct Record
@@ -76,9 +107,12 @@ private:
     bool operator<(const Record& other) const;
   };
 
-  std::vector<std::uint64_t> CountTets() const;
+  std::vector<std::uint64_t> ListTets() const;
   MergeBrick ReadBrick(std::size_t number) const;
   std::uint16_t ReduceToOneGroup();
+  MergedPart Read(
+    const BrickDivision::Group& group, std::span<const std::uint32_t> ancestors) const;
+  void EndLevel();
   void RunPass(std::uint16_t level, std::uint16_t pass, unsigned limit);
   MergedGroup RunGroup(const BrickDivision::Group& group, unsigned limit);
   void Note(
@@ -97,6 +131,10 @@ private:
   bool HasSums = true;       // whether the samples of the bricks are those of the builder
   std::vector<std::uint8_t> BricksOfPoint;
   std::optional<BrickDivision> Division;
+  std::vector<BrickDivision::Group> Groups; // of the last pass
+  std::vector<bool> IsGone;                 // of each point
+  std::uint32_t MergesOfLevels = 0;
+  Listener OnLevel;
   std::vector<std::uint64_t> Histogram; // of the keys of the last pass
   SpillSorter<Record> Records;
   std::size_t Merges = 0;

@@ -31,8 +31,11 @@ gatun_core_folder(Write
     gatunPartAgreement.h
     gatunPartAssembly.h
     gatunPartBoundary.h
+    gatunPartLevels.h
     gatunPartSurvey.h
     gatunPartTree.h
+    gatunPartValues.h
+    gatunPartWriterInternals.h
     gatunPointNumbers.h
     gatunPointRounding.h
     gatunRoundedArrays.h
@@ -60,8 +63,10 @@ gatun_core_folder(Write
     gatunPartAssembly.cxx
     gatunPartExchange.cxx
     gatunPartBoundary.cxx
+    gatunPartLevels.cxx
     gatunPartSurvey.cxx
     gatunPartTree.cxx
+    gatunPartValues.cxx
     gatunPartWriter.cxx
     gatunPointNumbers.cxx
     gatunPointRounding.cxx

@@ -36,6 +36,18 @@ void ForEachCell(const MeshAccess& mesh, PieceForm form, Use&& use)
 }
 
 //------------------------------------------------------------------------------
+WriterOptions MakeLevelOptions(const WriterOptions& whole)
+{
+  WriterOptions options = whole;
+  options.Keep = KeepNone;
+  options.Tree = nullptr;
+  options.Levels = 0;
+  options.LevelMerges.clear();
+  options.Boundary = false;
+  return options;
+}
+
+//------------------------------------------------------------------------------
 BaseMesh::BaseMesh(
   const MeshAccess& mesh, const MergeTree& tree, std::size_t merges, PieceForm form)
   : CoordinateType(mesh.GetMesh().CoordinateType)

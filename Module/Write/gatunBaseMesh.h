@@ -8,6 +8,7 @@
 #include "gatunCoarseCells.h"
 #include "gatunMergeTree.h"
 #include "gatunPartition.h"
+#include "gatunWriterOptions.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +16,12 @@
 
 namespace gatun
 {
+/** Base meshes of meshes of so many cells or fewer would not save time. */
+constexpr std::uint64_t SmallLevel = 20'000;
+
+/** The options of the file of a base mesh, but for its tree. whole: those of the whole file. */
+WriterOptions MakeLevelOptions(const WriterOptions& whole);
+
 /** The mesh after a number of merges, as a mesh of its own: its tetrahedra, or the cells of a
  * surface in their original form. */
 class BaseMesh

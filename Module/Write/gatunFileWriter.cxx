@@ -22,9 +22,6 @@ namespace gatun
 {
 namespace
 {
-// Smaller base meshes would not save time.
-constexpr std::uint64_t SmallLevel = 20'000;
-
 /** Lets layers be made of the values that readers will have. Returns these values, which must exist
  * until the mesh has been divided. */
 std::unique_ptr<RoundedArray> RoundLayerValues(
@@ -161,14 +158,9 @@ std::unique_ptr<FileWriter::Internals::Level> FileWriter::Internals::MakeLevel(
   auto level =
     std::make_unique<Level>(Level{ BaseMesh(this->Part.Mesh, *whole.Tree, merges,
                                      whole.IsSurface ? PieceForm::Original : PieceForm::Tetrahedra),
-      whole, nullptr });
+      MakeLevelOptions(whole), nullptr });
   WriterOptions& options = level->Options;
-  options.Keep = KeepNone;
-  options.Levels = 0;
-  options.LevelMerges.clear();
-  options.Boundary = false;
-  options.Tree = nullptr; // it follows when all base meshes are known
-  Bytes layerValues;      // needed until the mesh has been written
+  Bytes layerValues; // needed until the mesh has been written
   if (options.Layers)
   {
     const auto& array = this->State.Meta.Arrays[options.Layers->Array];
@@ -250,16 +242,11 @@ void FileWriter::Internals::WriteStep(std::span<const void* const> values, const
     this->CheckLayers(step.Table);
   }
   const auto arrays = step.Arrays;
-  auto domains = step.Domains.Components;
+  const auto domains = step.GetRounded();
   std::vector<const void*> decoded; // the values that readers will have
-  for (std::size_t a = 0; a < arrays.size(); ++a)
+  for (const ArrayInput& input : arrays)
   {
-    decoded.push_back(arrays[a].Now);
-    for (std::size_t c = 0; c < domains[a].size(); ++c)
-    {
-      const auto& rounding = step.Table.Arrays[a].Palettes[c].Rounding;
-      domains[a][c] = rounding ? Domain(domains[a][c].GetType(), rounding) : domains[a][c];
-    }
+    decoded.push_back(input.Now);
   }
   this->Steps.Finish(this->Part, all);
   if (this->Tree)

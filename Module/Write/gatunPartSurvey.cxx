@@ -194,6 +194,23 @@ void PartDomains::AddMesh(const MeshInput& part)
 }
 
 //------------------------------------------------------------------------------
+/** The domain of values that are on the lattice of another file; null if there is none. */
+const Domain* PartDomains::FindRounded(
+  std::size_t step, std::size_t array, std::size_t component) const
+{
+  const Domain* const domain =
+    this->Rounded ? &(*this->Rounded)[step].Domains[array][component] : nullptr;
+  return domain && domain->GetQuantizer() ? domain : nullptr;
+}
+
+//------------------------------------------------------------------------------
+/** Values of another file are kept as they are. */
+RoundingRequest PartDomains::GetRequest(const ArrayDescription& array) const
+{
+  return this->Rounded ? RoundingRequest() : GetRoundingRequest(this->State.Options, array);
+}
+
+//------------------------------------------------------------------------------
 void PartDomains::AddStep(
   std::size_t step, std::span<const void* const> values, std::uint64_t points, std::uint64_t cells)
 {
@@ -212,10 +229,9 @@ void PartDomains::AddStep(
     {
       if (next == builders.size())
       {
-        builders.emplace_back(
-          array.Type, MaxPalette, GetRoundingRequest(this->State.Options, array));
+        builders.emplace_back(array.Type, MaxPalette, this->GetRequest(array));
       }
-      if (values[a])
+      if (values[a] && !this->FindRounded(step, a, c))
       {
         builders[next].Add(values[a], tuples, array.Components, c);
         builders[next].Compress();
@@ -271,8 +287,7 @@ void PartDomains::Add(ByteReader& in)
       {
         if (isNew)
         {
-          builders.emplace_back(
-            array.Type, MaxPalette, GetRoundingRequest(this->State.Options, array));
+          builders.emplace_back(array.Type, MaxPalette, this->GetRequest(array));
         }
         builders[next].Add(in);
       }
@@ -310,8 +325,10 @@ StepDomains PartDomains::FinishStep(std::size_t step, const StepScales* before)
       arrays[a].Where == Association::Point ? this->State.Meta.Points : this->State.NumberOfCells;
     for (std::uint32_t c = 0; c < arrays[a].Components; ++c, ++next)
     {
-      domains.Components[a].push_back(
-        this->Steps[step][next].Finish(tuples, PaletteUse::Array, FindScale(before, a, c)));
+      const Domain* const rounded = this->FindRounded(step, a, c);
+      domains.Components[a].push_back(rounded
+          ? *rounded
+          : this->Steps[step][next].Finish(tuples, PaletteUse::Array, FindScale(before, a, c)));
     }
   }
   this->Steps[step] = {};

@@ -9,6 +9,7 @@
 #include "gatunArrayCopies.h"
 #include "gatunBoundaryMerge.h"
 #include "gatunDomainSurvey.h"
+#include "gatunPartValues.h"
 #include "gatunStepSection.h"
 #include "gatunWriterPart.h"
 #include "gatunWriterState.h"
@@ -65,8 +66,11 @@ private:
 class PartDomains
 {
 public:
-  explicit PartDomains(const WriterState& state)
+  /** rounded: the steps of the mesh whose values these are, if they are on its lattices; null
+   * otherwise. */
+  explicit PartDomains(const WriterState& state, const std::vector<PartStep>* rounded = nullptr)
     : State(state)
+    , Rounded(rounded)
   {
   }
 
@@ -94,7 +98,11 @@ public:
   }
 
 private:
+  const Domain* FindRounded(std::size_t step, std::size_t array, std::size_t component) const;
+  RoundingRequest GetRequest(const ArrayDescription& array) const;
+
   const WriterState& State;
+  const std::vector<PartStep>* const Rounded;
   std::vector<DomainSurvey> Axes;
   std::vector<std::vector<DomainSurvey>> Steps; // component after component
   std::vector<CopySurvey> Copies;               // of the same steps

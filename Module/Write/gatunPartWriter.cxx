@@ -3,20 +3,12 @@
 
 #include "gatunPartWriter.h"
 
-#include "gatunBoundaryMerge.h"
 #include "gatunError.h"
 #include "gatunKeepMemory.h"
-#include "gatunMeshSection.h"
-#include "gatunPartAgreement.h"
 #include "gatunPartAssembly.h"
-#include "gatunPartSurvey.h"
-#include "gatunPartTree.h"
+#include "gatunPartWriterInternals.h"
 #include "gatunPaths.h"
-#include "gatunPointNumbers.h"
-#include "gatunStepSection.h"
 #include "gatunWriterCheck.h"
-#include "gatunWriterPart.h"
-#include "gatunWriterState.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,9 +52,13 @@ void CheckOptions(
   const PartWriterOptions& all, const std::vector<ArrayDescription>& arrays, bool isAlone)
 {
   const WriterOptions& options = all.File;
-  if (options.Tree || options.Levels > 0)
+  if (options.Tree)
   {
-    ThrowInvalid("base meshes need the whole mesh, which cannot come in parts");
+    ThrowInvalid("the merges of a mesh in parts cannot be given, but are found from weights");
+  }
+  if (options.Levels > 0 && !all.Weights)
+  {
+    ThrowInvalid("base meshes need a hierarchy");
   }
   if (options.Layers)
   {
@@ -84,92 +80,54 @@ void CheckOptions(
 }
 
 //------------------------------------------------------------------------------
-class PartWriter::Internals
+PartWriter::Internals::Internals(const std::string& path,
+  const std::vector<ArrayDescription>& arrays, const PartWriterOptions& options)
+  : Options(options)
+  , Folder(GetSpillFolder(path))
+  , State(path, arrays, options.File)
+  , Boundaries(this->Folder, options.SpillMemory)
+  , Domains(this->State)
 {
-public:
-  Internals(const std::string& path, const std::vector<ArrayDescription>& arrays,
-    const PartWriterOptions& options)
-    : Options(options)
-    , Folder(GetSpillFolder(path))
-    , State(path, arrays, options.File)
-    , Boundaries(this->Folder, options.SpillMemory)
+}
+
+//------------------------------------------------------------------------------
+PartWriter::Internals::Internals(const std::string& path,
+  const std::vector<ArrayDescription>& arrays, const PartWriterOptions& options,
+  PartExchange& exchange)
+  : Options(options)
+  , Folder(GetSpillFolder(path))
+  , State(arrays, options.File, this->Folder)
+  , Boundaries(this->Folder, options.SpillMemory)
+  , Domains(this->State)
+  , Exchange(&exchange)
+{
+  if (exchange.GetProcess() == 0)
   {
+    this->Common.emplace(OutputFile::Common(), path);
   }
+  this->Agreement.emplace(exchange, this->State, this->Folder, options.SpillMemory);
+  this->Steps.KeepTables();
+}
 
-  Internals(const std::string& path, const std::vector<ArrayDescription>& arrays,
-    const PartWriterOptions& options, PartExchange& exchange)
-    : Options(options)
-    , Folder(GetSpillFolder(path))
-    , State(arrays, options.File, this->Folder)
-    , Boundaries(this->Folder, options.SpillMemory)
-    , Exchange(&exchange)
-  {
-    if (exchange.GetProcess() == 0)
-    {
-      this->Common.emplace(OutputFile::Common(), path);
-    }
-    this->Agreement.emplace(exchange, this->State, this->Folder, options.SpillMemory);
-    this->Steps.KeepTables();
-  }
+//------------------------------------------------------------------------------
+PartWriter::Internals::Internals(
+  const WriterState& whole, const PartWriterOptions& options, const PartValues& values)
+  : Options(options)
+  , Folder(values.GetFolder())
+  , Rounded(&values.GetSteps())
+  , State(whole, whole.Meta.Arrays, options.File)
+  , Boundaries(this->Folder, options.SpillMemory)
+  , Domains(this->State, this->Rounded)
+{
+}
 
-  void Survey(const MeshInput& mesh, const std::int64_t* globalIds, const Progress& progress);
-  void SurveyStep(std::span<const void* const> values);
-  void EndSurvey();
-  void Write(const MeshInput& mesh, const std::int64_t* globalIds, const Progress& progress);
-  void WriteStep(std::span<const void* const> values, const FieldData& field, bool hasTime,
-    double time, const Progress& progress);
-  PartStatistics Finish(const Progress& progress);
-
-private:
-  void EndPartSurvey();
-  void JoinAlone();
-  void JoinTogether();
-  void SendPoints();
-  void PlaceParts();
-  void EndPart();
-  std::vector<std::uint8_t> ApplyJoins(const PartJoins& joins);
-  bool HasNumbers() const
-  {
-    return this->Parts.size() > 1 && (this->Options.File.Keep & KeepPoints);
-  }
-
-  /** The number of a part of this process in the file. */
-  std::size_t GetNumber(std::size_t part) const
-  {
-    return part + (this->Agreement ? this->Agreement->GetOwn().FirstPart : 0);
-  }
-  std::size_t GetNumberOfOwnParts() const
-  {
-    return this->Agreement ? this->Agreement->GetOwn().Parts : this->Parts.size();
-  }
-
-  const PartWriterOptions Options;
-  const std::string Folder; // of temporary files
-  WriterState State;
-  MeshSection Mesh{ State };
-  StepSection Steps{ State };
-  BoundaryMerge Boundaries;
-  std::vector<SurveyedPart> Parts;
-  std::optional<PartSurvey> Current; // the part that is being surveyed
-  PartDomains Domains{ State };
-  std::optional<bool> HasIds; // whether the parts with points have global ids
-  bool IsJoined = false;
-
-  // While parts are written.
-  std::vector<PartPlace> Places;
-  std::size_t Written = 0; // parts of this process that were begun
-  std::optional<WriterPart> Part;
-  std::vector<std::uint8_t> IsJoinedPoint; // whether other parts have a point of the part, too
-  bool IsDeferred = false;                 // whether the mesh of the part is not written yet
-  PointNumbers Numbers{ Boundaries };
-  std::optional<PartTree> Tree;
-
-  // If several processes write the file.
-  PartExchange* const Exchange = nullptr;
-  std::optional<OutputFile> Common; // in the first process
-  std::optional<PartAgreement> Agreement;
-  std::vector<PartJoins> Joins; // of the parts of this process
-};
+//------------------------------------------------------------------------------
+void PartWriter::Internals::CheckInput(const MeshInput& mesh) const
+{
+  WriterOptions options = this->Options.File;
+  options.Levels = 0; // their tree comes later
+  CheckWriterInput(mesh, this->State.Meta.Arrays, options);
+}
 
 //------------------------------------------------------------------------------
 void PartWriter::Internals::Survey(
@@ -184,7 +142,7 @@ void PartWriter::Internals::Survey(
     ThrowInvalid("points that move cannot be written in parts");
   }
   this->EndPartSurvey();
-  CheckWriterInput(mesh, this->State.Meta.Arrays, this->Options.File);
+  this->CheckInput(mesh);
   if (mesh.Points > 0)
   {
     const bool hasIds = globalIds != nullptr;
@@ -285,12 +243,26 @@ void PartWriter::Internals::JoinAlone()
   this->IsJoined = true;
   this->Boundaries.Join(this->Parts.size(), this->State.Groups);
   this->PlaceParts();
+  if (this->Options.Weights || this->Rounded)
+  {
+    this->Values.emplace(
+      this->State, this->GetNumberOfSteps(), NeedsCells(this->State), this->Folder);
+  }
   if (this->Options.Weights)
   {
     PartMergeSettings settings;
+    settings.TetsOfGroup = this->Options.TetsOfGroup;
     settings.Folder = this->Folder;
-    this->Tree.emplace(this->State, *this->Options.Weights,
-      this->Parts.empty() ? 0 : this->Parts.front().StepHashes.size(), settings);
+    this->Tree.emplace(this->State, *this->Values, *this->Options.Weights,
+      this->GetNumberOfSteps() > 0, settings,
+      [this](const WriterOptions& options)
+      {
+        PartWriterOptions own;
+        own.File = options;
+        own.SpillMemory = this->Options.SpillMemory;
+        own.JoinByIdsOnly = true;
+        return std::make_unique<Internals>(this->State, own, *this->Values);
+      });
   }
 }
 
@@ -406,7 +378,7 @@ void PartWriter::Internals::Write(
   {
     ThrowInvalid("more parts are to be written than were surveyed");
   }
-  CheckWriterInput(mesh, this->State.Meta.Arrays, this->Options.File);
+  this->CheckInput(mesh);
   const auto& surveyed = this->Parts[number];
   if (mesh.Points != surveyed.Points || mesh.Cells != surveyed.Cells ||
     HashPart(mesh, globalIds) != surveyed.Hash)
@@ -422,10 +394,14 @@ void PartWriter::Internals::Write(
                                      : this->Boundaries.Take(static_cast<std::uint32_t>(number)));
   // With a single step, its values are encoded together with the mesh, chunk by chunk.
   // A hierarchy needs the numbers of the points before that.
-  this->IsDeferred = surveyed.StepHashes.size() == 1 && !this->Tree;
+  this->IsDeferred = surveyed.StepHashes.size() == 1 && !this->Values;
   if (!this->IsDeferred)
   {
     this->Mesh.Write(*this->Part, progress);
+  }
+  if (this->Values)
+  {
+    this->Values->AddPart(*this->Part);
   }
   if (this->Tree && surveyed.StepHashes.empty())
   {
@@ -509,7 +485,8 @@ void PartWriter::Internals::WriteStep(std::span<const void* const> values, const
     ThrowInvalid(
       "the values of part " + std::to_string(number) + " have changed since it was surveyed");
   }
-  const StepValues all{ values, &field, hasTime, time };
+  const StepValues all{ values, &field, hasTime, time,
+    this->Rounded ? &(*this->Rounded)[step].Domains : nullptr };
   if (this->IsDeferred)
   {
     this->IsDeferred = false;
@@ -522,9 +499,9 @@ void PartWriter::Internals::WriteStep(std::span<const void* const> values, const
     {
       this->Tree->AddPart(*this->Part, this->IsJoinedPoint, input.Arrays);
     }
-    if (this->Tree)
+    if (this->Values)
     {
-      this->Tree->AddStep(step, input.Arrays);
+      this->Values->AddStep(step, input, all);
     }
   }
   this->Steps.Finish(*this->Part, all);
@@ -535,36 +512,68 @@ void PartWriter::Internals::WriteStep(std::span<const void* const> values, const
 }
 
 //------------------------------------------------------------------------------
+void PartWriter::Internals::EndParts()
+{
+  if (this->Parts.empty() || this->Written < this->GetNumberOfOwnParts() ||
+    (this->Exchange && !this->IsJoined))
+  {
+    ThrowInvalid("not all parts have been written");
+  }
+  this->EndPart();
+}
+
+//------------------------------------------------------------------------------
+void PartWriter::Internals::WriteTree(MergeTree tree)
+{
+  this->Merges.emplace(this->State, std::move(tree),
+    [this](unsigned axis) { return this->Values->ReadCoordinates(axis); });
+  const auto steps = this->GetNumberOfSteps();
+  for (std::size_t step = 0; step < steps; ++step)
+  {
+    this->Merges->AddStep([&](std::size_t array, std::size_t range)
+      { return this->Values->ReadRange(step, array, range); },
+      steps - 1 - step);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PartWriter::Internals::Complete(std::vector<std::uint32_t> levels)
+{
+  this->State.WriteTables(this->State.File);
+  if (this->Merges)
+  {
+    this->Merges->WriteTable(std::move(levels));
+  }
+  this->State.File.AddSection(SectionMeta, this->State.Meta.Write());
+}
+
+//------------------------------------------------------------------------------
 PartStatistics PartWriter::Internals::Finish(const Progress& progress)
 {
-  const auto end = [this]
-  {
-    if (this->Parts.empty() || this->Written < this->GetNumberOfOwnParts() ||
-      (this->Exchange && !this->IsJoined))
-    {
-      ThrowInvalid("not all parts have been written");
-    }
-    this->EndPart();
-  };
-  PartStatistics statistics;
   if (this->Exchange)
   {
-    this->Exchange->Together(end);
-    statistics.File = PartAssembly(*this->Exchange, *this->Agreement, this->State, this->Steps,
+    this->Exchange->Together([this] { this->EndParts(); });
+    return this->CountAll(PartAssembly(*this->Exchange, *this->Agreement, this->State, this->Steps,
       this->Common ? &*this->Common : nullptr)
-                        .Finish();
+                            .Finish());
   }
-  else
+  this->EndParts();
+  std::vector<std::uint32_t> levels;
+  if (this->Tree)
   {
-    end();
-    if (this->Tree)
-    {
-      this->Tree->Write(progress);
-    }
-    this->State.WriteTables(this->State.File);
-    this->State.File.AddSection(SectionMeta, this->State.Meta.Write());
-    statistics.File = this->State.Commit(this->State.File);
+    this->WriteTree(this->Tree->Build(progress));
+    this->Tree->GetLevels().WriteTrees(this->Merges->GetTree());
+    levels = this->Tree->GetLevels().Embed();
   }
+  this->Complete(std::move(levels));
+  return this->CountAll(this->State.Commit(this->State.File));
+}
+
+//------------------------------------------------------------------------------
+PartStatistics PartWriter::Internals::CountAll(const FileStatistics& file) const
+{
+  PartStatistics statistics;
+  statistics.File = file;
   statistics.Points = this->State.Meta.Points;
   statistics.Cells = this->State.NumberOfCells;
   const auto& counts = this->Boundaries.GetCounts();

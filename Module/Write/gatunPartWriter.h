@@ -26,13 +26,18 @@ class PartExchange;
 /** Options of PartWriter. */
 struct PartWriterOptions
 {
-  /** Options of the file. Layers and base meshes need the whole mesh and are refused. */
+  /** Options of the file, without a tree. Layers need the whole mesh and are refused. Base meshes
+   * need weights. */
   WriterOptions File;
 
   /** For a hierarchy of the tetrahedra, which is found in parts: the weight of each array for
    * merges, 0 for those that do not count. Not with several processes. It takes 320 MB in each
    * thread and some 50 bytes a point while Finish finds it. */
   std::optional<std::vector<double>> Weights;
+
+  /** The most tetrahedra that a thread simplifies at once, at 160 bytes each. It determines the
+   * merges. */
+  std::uint64_t TetsOfGroup = 2'000'000;
 
   /** The number of bytes of points on the boundaries of parts that are kept in memory, and again of
    * those that are joined; further ones are in temporary files in the folder of the file. */
@@ -148,8 +153,9 @@ public:
    * the hierarchy. */
   PartStatistics Finish(const Progress& progress = {});
 
-private:
   class Internals;
+
+private:
   std::unique_ptr<Internals> Self;
 };
 }

@@ -57,6 +57,22 @@ void StepSection::RoundArrays(const WriterPart& part, const StepValues& values)
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::vector<Domain>> StepInput::GetRounded() const
+{
+  std::vector<std::vector<Domain>> domains;
+  for (std::size_t a = 0; a < this->Arrays.size(); ++a)
+  {
+    const ScalarType type = this->Arrays[a].Description->Type;
+    auto& components = domains.emplace_back();
+    for (const auto& palette : this->Table.Arrays[a].Palettes)
+    {
+      components.push_back(palette.Rounding ? Domain(type, palette.Rounding) : Domain(type));
+    }
+  }
+  return domains;
+}
+
+//------------------------------------------------------------------------------
 /** Gives tuples of a copy the values of its source. */
 void StepSection::CopyRounded(std::span<const std::uint32_t> tuples, std::size_t array) const
 {

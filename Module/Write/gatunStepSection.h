@@ -73,6 +73,9 @@ struct StepInput
       [where](const ArrayInput& input)
       { return input.Description->Where == where && !input.IsCopy; });
   }
+
+  /** The domains with the errors that all parts so far have reached, as StepValues::Rounded. */
+  std::vector<std::vector<Domain>> GetRounded() const;
 };
 
 /**

@@ -60,10 +60,9 @@ std::uint64_t NeededMiB(
 void Divide(
   vtkGatunWriter* writer, Input& input, const PieceOptions& options, const Settings& settings)
 {
-  if (writer->GetLevels() > 0 || writer->GetLayerArray())
+  if (writer->GetLayerArray())
   {
-    throw Failure(input.GetName(),
-      "coarser meshes or layers need the whole mesh, which is divided into pieces");
+    throw Failure(input.GetName(), "layers need the whole mesh, which is divided into pieces");
   }
   if (writer->GetKeepOrder() != vtkGatunWriter::KEEP_NONE)
   {

@@ -105,8 +105,8 @@ def write_parts(
         overwrite: whether to replace a file that is there.
         arrays: as for ``Writer``.
         progress: as for ``File.read``, for each part anew.
-        options: ``tolerances``, ``keep_order``, ``profile``, ``hierarchy``, ``chunk_size`` and
-            ``key_step_interval``, as for ``gatun.write``.
+        options: ``tolerances``, ``keep_order``, ``profile``, ``hierarchy``, ``levels``,
+            ``chunk_size`` and ``key_step_interval``, as for ``gatun.write``.
 
     Returns:
         The size of the file in bytes.

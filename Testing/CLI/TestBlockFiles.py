@@ -236,7 +236,7 @@ with open("blocks/blocks_0.vtu", "r+b") as file:
     file.truncate(3000)
 refuse("blocks.vtm", says="blocks_0.vtu")
 shutil.copy("kept.vtu", "blocks/blocks_0.vtu")
-refuse("--levels", 2, "blocks.vtm", says="need the whole mesh")
+refuse("--layers", "pressure", "blocks.vtm", says="need the whole mesh")
 gtn("pack", "-q", "--memory", 100, "blocks.vtm", "never.gtn", code=1, says="--memory allows 100")
 
 # Lines of one file that end at points inside the mesh of another one keep points of their own.

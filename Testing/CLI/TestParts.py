@@ -83,7 +83,7 @@ def refuse(*arguments, says, code=1):
 refuse("--memory", 100, "step0.pvtu", says="--memory allows 100")
 refuse("--memory", 400, "--hierarchy", "step0.pvtu", says="--memory allows 400")
 refuse("--memory", 2000, "--hierarchy", "--weight", "other", "step0.pvtu", says="no point array 'other'")
-refuse("--memory", 2000, "--levels", 2, "step0.pvtu", says="need the whole mesh")
+refuse("--memory", 400, "--levels", 2, "step0.pvtu", says="--memory allows 400")
 refuse("--memory", 2000, "--layers", "pressure", "step0.pvtu", says="need the whole mesh")
 refuse("--memory", 2000, "--spill", "nowhere", "step0.pvtu", says="nowhere", code=2)
 write_parallel("missing.pvtu", ["step0part0.vtu", "lost.vtu"])

@@ -193,7 +193,6 @@ refuse(with_other, "piece 3 has an array 'other'")
 refuse(changing, "the values of part 1 have changed")
 refuse(lambda piece, pieces, step: piece_of(whole, (piece + step) % 2, pieces),
        "of piece 0 change with time", [0., 1.], WriteAllTimeSteps=True)
-refuse(lambda *_: whole, "need the whole mesh", Hierarchy=True, Levels=2)
 refuse(lambda *_: whole, "need the whole mesh", Layers="wave")
 
 # A reader of the same kind of file, and parallel files of VTK.

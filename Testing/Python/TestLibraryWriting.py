@@ -364,7 +364,7 @@ class LibraryWriting(unittest.TestCase):
             self.assertAlmostEqual(np.abs(volume).sum() / 6, np.ptp(points, axis=0).prod(), 6)
         require_raises(TypeError, "twice", gatun.write_parts, path, iter([]), overwrite=True)
         require_raises(ValueError, "none", gatun.write_parts, path, [], overwrite=True)
-        require_raises(gatun.InputError, "whole mesh", gatun.write_parts, path, Parts(), times=times, levels=2,
+        require_raises(gatun.InputError, "whole mesh", gatun.write_parts, path, Parts(), times=times, layers="v",
                        overwrite=True)
 
     def test_without_vtk(self):

@@ -15,7 +15,9 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <memory>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -259,15 +261,26 @@ struct PartContent
   PartValues Values;
 
   PartContent(const std::string& path, std::size_t step)
+    : PartContent(std::make_shared<FileReader>(path), step)
   {
-    const auto file = std::make_shared<FileReader>(path);
+  }
+
+  /** merges: how many of the tree to make before. Given: the tetrahedra alone. */
+  PartContent(const std::shared_ptr<const FileReader>& file, std::size_t step,
+    std::optional<std::size_t> merges = {})
+  {
     PieceDecoder decoder(file);
     PieceRequest request;
     request.Chunks.resize(file->GetChunks().size());
     std::iota(request.Chunks.begin(), request.Chunks.end(), 0u);
-    request.WithUnusedPoints = true;
+    request.WithUnusedPoints = !merges;
     request.Arrays = { 0, 1, 2, 3, 4 };
-    request.Form = PieceForm::Original;
+    request.Form = merges ? PieceForm::Tetrahedra : PieceForm::Original;
+    if (merges)
+    {
+      request.Merges = *merges;
+      request.Tree = std::make_shared<const MergeTree>(file->GetMergeTree());
+    }
     request.Step = step;
     decoder.SetRequest(request);
     const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());

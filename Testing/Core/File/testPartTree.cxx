@@ -33,7 +33,7 @@ PartWriterOptions MakeOptions()
   return options;
 }
 
-PartMesh MakeMesh()
+PartMesh MakeTreeParts()
 {
   auto cubes = MakeCubes(8, 0.2);
   cubes.Coordinates.insert(cubes.Coordinates.end(), { 50, 0, 0, 51, 0, 0 }); // unused
@@ -44,7 +44,7 @@ std::string WriteTree(
   const std::string& name, std::size_t parts, bool randomly, int steps = StepsOfFile)
 {
   const auto path = TempPath(name);
-  const PartMesh mesh = MakeMesh();
+  const PartMesh mesh = MakeTreeParts();
   WriteParts(path,
     Divide(mesh, parts, randomly ? DealRandomly(mesh, parts, 3) : DealSlabs(mesh, parts, 8)),
     MakeOptions(), steps);
@@ -242,7 +242,7 @@ TEST(PartTree, IsRefusedOrAbortedWithoutATrace)
   options = MakeOptions();
   options.File.IsSurface = true;
   EXPECT_THROW(PartWriter(path, PartMesh::Describe(), options), Error);
-  const PartMesh mesh = MakeMesh();
+  const PartMesh mesh = MakeTreeParts();
   const PartValues values(mesh, 0);
   {
     PartWriter writer(path, PartMesh::Describe(), MakeOptions());

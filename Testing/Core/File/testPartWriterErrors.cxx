@@ -192,7 +192,11 @@ TEST_F(PartWriterErrors, WhatNeedsTheWholeMesh)
   const MergeTree tree;
   options.File.Tree = &tree;
   this->Refuse(
-    "base meshes need the whole mesh", [](PartWriter&) {}, options);
+    "cannot be given", [](PartWriter&) {}, options);
+  options = {};
+  options.File.Levels = 1;
+  this->Refuse(
+    "base meshes need a hierarchy", [](PartWriter&) {}, options);
 }
 
 TEST_F(PartWriterErrors, AnAbortLeavesNothing)
