@@ -589,8 +589,8 @@ extern "C"
    * values are the same.
    *
    * The hierarchy is that of the whole mesh, as are the levels. They are found by gatun_finish,
-   * with temporary files in the folder of the file: 40 bytes a tetrahedron for a field, and the
-   * points and values without compression, twice with levels.
+   * with temporary files in the folder of the file: 44 bytes a tetrahedron for a field, 70 a point,
+   * and the points and values without compression, twice with levels.
    */
   GATUN_API gatun_status gatun_create_parts(const char* path, const gatun_array* arrays,
     size_t array_count, const gatun_options* options, gatun_writer** writer);

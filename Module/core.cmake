@@ -103,9 +103,14 @@ gatun_set_options(-Os
   Parts/gatunBrickGroup.cxx
   Parts/gatunPartMerges.cxx
   Read/gatunVerifyFile.cxx
+  Write/gatunBaseMesh.cxx
   Write/gatunBoundaryMerge.cxx
+  Write/gatunBoundaryMesh.cxx
+  Write/gatunCellSubset.cxx
+  Write/gatunDependencySection.cxx
   Write/gatunFileWriter.cxx
   Write/gatunFileWriterSeries.cxx
+  Write/gatunMeshMerges.cxx
   Write/gatunPartAgreement.cxx
   Write/gatunPartAssembly.cxx
   Write/gatunPartExchange.cxx
@@ -114,6 +119,11 @@ gatun_set_options(-Os
   Write/gatunPartTree.cxx
   Write/gatunPartValues.cxx
   Write/gatunPartWriter.cxx
+  Write/gatunPointNumbers.cxx
+  Write/gatunStepTables.cxx
+  Write/gatunTreeSection.cxx
+  Write/gatunWriterCheck.cxx
+  Write/gatunWriterPart.cxx
   Write/gatunWriterState.cxx)
 
 add_library(gatunObjects OBJECT ${sources})

@@ -186,6 +186,7 @@ MergeBrick BrickBuilder::Make(
   }
   brick.Hints.resize(brick.Points.size());
   brick.Keys.assign(brick.Tets.size(), 0);
+  brick.Last.assign(brick.Tets.size(), None);
   return brick;
 }
 

@@ -20,6 +20,8 @@ void VisitLists(Brick& brick, Visit&& visit)
   visit(brick.Tets);
   visit(brick.Keys);
   visit(brick.Cells);
+  visit(brick.Last);
+  visit(brick.Bared);
 }
 
 std::vector<std::uint8_t> ToBytes(const MergeBrick& brick)
@@ -39,17 +41,27 @@ std::vector<std::uint8_t> ToBytes(const MergeBrick& brick)
 //------------------------------------------------------------------------------
 void BrickFile::Add(const MergeBrick& brick)
 {
-  this->Entries.push_back({ this->File.GetSize(), brick.Points.size(), brick.Tets.size() });
-  this->File.Write(ToBytes(brick));
+  const auto bytes = ToBytes(brick);
+  this->Entries.push_back({ this->File.GetSize(), brick.Points.size(), brick.Tets.size(),
+    brick.Bared.size(), bytes.size() });
+  this->File.Write(bytes);
 }
 
 //------------------------------------------------------------------------------
 void BrickFile::Replace(std::size_t brick, const MergeBrick& by)
 {
   Entry& entry = this->Entries[brick];
-  this->File.Overwrite(entry.Offset, ToBytes(by));
+  const auto bytes = ToBytes(by);
+  if (bytes.size() > entry.Room) // as merges of other bricks have bared tetrahedra
+  {
+    const std::scoped_lock lock(this->Mutex);
+    entry.Offset = this->File.Skip(bytes.size());
+    entry.Room = bytes.size();
+  }
+  this->File.Overwrite(entry.Offset, bytes);
   entry.Points = by.Points.size();
   entry.Tets = by.Tets.size();
+  entry.Bared = by.Bared.size();
 }
 
 //------------------------------------------------------------------------------
@@ -63,6 +75,8 @@ MergeBrick BrickFile::Read(std::size_t brick) const
   read.Tets.resize(entry.Tets);
   read.Keys.resize(entry.Tets);
   read.Cells.resize(this->HasCells ? entry.Tets : 0);
+  read.Last.resize(entry.Tets);
+  read.Bared.resize(entry.Bared);
   std::uint64_t at = entry.Offset;
   VisitLists(read,
     [&](auto& list)

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,8 @@ namespace gatun
 {
 /**
  * Bricks in a file without a name, which the system removes when it is closed, also if the process
- * is killed. A brick keeps its place. Different bricks may be read and replaced at the same time.
- * Methods throw Error(CannotWrite).
+ * is killed. A brick keeps its place while it fits. Different bricks may be read and replaced at
+ * the same time. Methods throw Error(CannotWrite).
  */
 class BrickFile
 {
@@ -32,7 +33,7 @@ public:
   void Add(const MergeBrick& brick);
   MergeBrick Read(std::size_t brick) const;
 
-  /** Replaces a brick by one that is no larger. */
+  /** Replaces a brick by what merges have left of it. */
   void Replace(std::size_t brick, const MergeBrick& by);
 
   std::size_t GetNumber() const { return this->Entries.size(); }
@@ -44,11 +45,14 @@ private:
     std::uint64_t Offset;
     std::size_t Points;
     std::size_t Tets;
+    std::size_t Bared;
+    std::size_t Room; // in bytes
   };
 
   const std::size_t Fields;
   const bool HasCells;
   AtomicFile File;
+  std::mutex Mutex; // for new places
   std::vector<Entry> Entries;
 };
 }

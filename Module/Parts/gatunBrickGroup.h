@@ -43,6 +43,12 @@ struct MergedGroup
   std::vector<KeyedMerge> Merges;
   std::vector<std::pair<std::uint32_t, int>> Changes; ///< of the number of bricks of points
   std::vector<MergeQueue::Key> Keys; ///< of the next merges of the points that are not kept
+
+  /** For each merge, how many merges it depends on, and the points of these. */
+  std::vector<std::uint32_t> Earlier;
+
+  std::vector<BaredFace> Bared; ///< for the other groups
+  std::vector<TouchedFace> Touched;
 };
 
 /**
@@ -50,12 +56,13 @@ struct MergedGroup
  * are kept: a merge changes only tetrahedra around its point, and all of these are in the group.
  *
  * bricksOfPoint: how many bricks of the mesh have each of its points, at most ManyBricks.
- * Empty: there are no other bricks. limit: only what has a key below it is merged; 0 only finds the
- * keys. progress: see BuildMergeTree.
+ * Empty: there are no other bricks. bared: those of all groups since these bricks were in groups
+ * before. limit: only what has a key below it is merged; 0 only finds the keys. progress: see
+ * BuildMergeTree.
  */
 MergedGroup MergeBricks(std::vector<MergeBrick> bricks, const BrickGroupSettings& settings,
-  std::span<const std::uint8_t> bricksOfPoint, std::optional<unsigned> limit,
-  const std::function<bool(double)>& progress = {});
+  std::span<const std::uint8_t> bricksOfPoint, std::span<const BaredFace> bared,
+  std::optional<unsigned> limit, const std::function<bool(double)>& progress = {});
 }
 
 #endif

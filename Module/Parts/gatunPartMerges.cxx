@@ -32,6 +32,9 @@ constexpr int MostSlowLevels = 3;
 /** Of the best merges that are left after a level, the next one makes this part. */
 constexpr double PartOfLevel = 0.7;
 
+/** Faces that are read at once. */
+constexpr std::size_t FacesAtOnce = std::size_t{ 1 } << 16;
+
 /** The part of the time that passes before the first merges. */
 constexpr double PartOfFinding = 0.2;
 
@@ -56,6 +59,7 @@ PartMerges::PartMerges(std::uint32_t points, std::size_t fields, const PartMerge
   , IsGone(points, false)
   , Histogram(std::size_t{ 1 } << 15, 0)
   , Records(settings.Folder, RecordMemory)
+  , Earlier(AtomicFile::MakeScratch(settings.Folder))
 {
   CheckMergeSettings(settings.Merges);
   if (settings.Merges.PartAtOnce != 0 || settings.TetsOfGroup == 0)
@@ -149,7 +153,8 @@ MergedGroup PartMerges::RunGroup(const BrickDivision::Group& group, unsigned lim
   {
     bricks.push_back(this->ReadBrick(brick));
   }
-  MergedGroup merged = MergeBricks(std::move(bricks), this->OfGroups, this->BricksOfPoint, limit);
+  MergedGroup merged =
+    MergeBricks(std::move(bricks), this->OfGroups, this->BricksOfPoint, this->Bared, limit);
   for (std::size_t i = 0; i < group.size(); ++i)
   {
     this->Bricks.Replace(group[i], merged.Bricks[i]);
@@ -168,6 +173,24 @@ void PartMerges::Note(
     this->Records.Add(
       { merge.Change, merge.Point, merge.Into, group, number++, level, pass, merge.Key });
     this->IsGone[merge.Point] = true;
+  }
+  std::vector<std::uint32_t> earlier;
+  std::size_t at = 0;
+  for (const KeyedMerge& merge : merged.Merges)
+  {
+    const auto count = merged.Earlier[at];
+    earlier.push_back(merge.Point);
+    earlier.insert(earlier.end(), merged.Earlier.begin() + static_cast<std::ptrdiff_t>(at),
+      merged.Earlier.begin() + static_cast<std::ptrdiff_t>(at + 1 + count));
+    at += 1 + count;
+  }
+  this->EarlierOfGroup.push_back(earlier.size() * sizeof(earlier[0]));
+  this->Earlier.Write(
+    { reinterpret_cast<const std::uint8_t*>(earlier.data()), this->EarlierOfGroup.back() });
+  if (!merged.Touched.empty())
+  {
+    this->Touched->Write({ reinterpret_cast<const std::uint8_t*>(merged.Touched.data()),
+      merged.Touched.size() * sizeof(TouchedFace) });
   }
   this->Merges += merged.Merges.size();
   for (const auto key : merged.Keys)
@@ -198,6 +221,8 @@ void PartMerges::RunPass(std::uint16_t level, std::uint16_t pass, unsigned limit
   const auto& groups = this->Groups;
   std::fill(this->Histogram.begin(), this->Histogram.end(), 0);
   std::vector<std::vector<std::pair<std::uint32_t, int>>> changes(groups.size());
+  std::vector<std::vector<BaredFace>> bared(groups.size());
+  this->Touched.reset(new AtomicFile(AtomicFile::MakeScratch(this->Settings.Folder)));
   std::mutex mutex;
   const double before = this->Done;
   const double part = limit == 0 ? PartOfFinding : 0.2 * (1 - before);
@@ -207,6 +232,7 @@ void PartMerges::RunPass(std::uint16_t level, std::uint16_t pass, unsigned limit
     {
       auto merged = this->RunGroup(groups[g], limit);
       changes[g] = std::move(merged.Changes);
+      bared[g] = std::move(merged.Bared);
       const std::scoped_lock lock(mutex);
       this->Note(merged, level, pass, static_cast<std::uint32_t>(g));
     },
@@ -216,6 +242,44 @@ void PartMerges::RunPass(std::uint16_t level, std::uint16_t pass, unsigned limit
   {
     this->CountBricks(some);
   }
+  this->Bared.clear();
+  for (const auto& some : bared)
+  {
+    this->Bared.insert(this->Bared.end(), some.begin(), some.end());
+  }
+  this->FindTouched();
+}
+
+//------------------------------------------------------------------------------
+/** Finds the merges of a pass that have changed tetrahedra at a side that another one of
+ * the pass has bared in another group. Either may come first; the order decides. */
+void PartMerges::FindTouched()
+{
+  const std::uint64_t all = this->Bared.empty() ? 0 : this->Touched->GetSize();
+  const auto isBefore = [](const BaredFace& a, const BaredFace& b)
+  { return std::tie(a.Points, a.Merge) < std::tie(b.Points, b.Merge); };
+  std::sort(this->Bared.begin(), this->Bared.end(), isBefore);
+  std::vector<TouchedFace> faces;
+  for (std::uint64_t at = 0; at < all; at += faces.size() * sizeof(TouchedFace))
+  {
+    faces.resize(static_cast<std::size_t>(
+      std::min<std::uint64_t>(FacesAtOnce, (all - at) / sizeof(TouchedFace))));
+    this->Touched->ReadAt(
+      at, { reinterpret_cast<std::uint8_t*>(faces.data()), faces.size() * sizeof(TouchedFace) });
+    for (const TouchedFace& face : faces)
+    {
+      auto bared = std::lower_bound(
+        this->Bared.begin(), this->Bared.end(), BaredFace{ face.Points, 0, 0 }, isBefore);
+      for (; bared != this->Bared.end() && bared->Points == face.Points; ++bared)
+      {
+        if (bared->Merge != face.Merge)
+        {
+          this->Either.push_back({ face.Merge, bared->Merge });
+        }
+      }
+    }
+  }
+  this->Touched.reset();
 }
 
 //------------------------------------------------------------------------------
@@ -343,6 +407,56 @@ MergeTree PartMerges::MakeTree()
 }
 
 //------------------------------------------------------------------------------
+MergeDependencies PartMerges::FindDependencies(const MergeTree& tree)
+{
+  const auto& merges = tree.GetMerges();
+  std::vector<std::uint32_t> numbers(this->Points); // of the merges of points
+  for (std::uint32_t i = 0; i < merges.size(); ++i)
+  {
+    numbers[merges[i].Point] = i;
+  }
+  SpillSorter<Dependency> sorted(this->Settings.Folder, RecordMemory);
+  std::uint64_t place = 0;
+  std::vector<std::uint32_t> earlier;
+  for (const auto bytes : this->EarlierOfGroup)
+  {
+    earlier.resize(bytes / sizeof(earlier[0]));
+    this->Earlier.ReadAt(place, { reinterpret_cast<std::uint8_t*>(earlier.data()), bytes });
+    place += bytes;
+    for (std::size_t at = 0; at < earlier.size();)
+    {
+      const auto merge = numbers[earlier[at++]];
+      for (auto count = earlier[at++]; count > 0; --count)
+      {
+        sorted.Add({ merge, numbers[earlier[at++]] });
+      }
+    }
+  }
+  for (const auto& [merge, other] : this->Either)
+  {
+    if (numbers[other] < numbers[merge])
+    {
+      sorted.Add({ numbers[merge], numbers[other] });
+    }
+  }
+  sorted.Sort();
+  MergeDependencies dependencies;
+  for (std::uint32_t i = 0; i < merges.size(); ++i)
+  {
+    earlier.clear();
+    for (; sorted.Get() && sorted.Get()->Merge == i; sorted.Next())
+    {
+      if (earlier.empty() || earlier.back() != sorted.Get()->Earlier)
+      {
+        earlier.push_back(sorted.Get()->Earlier);
+      }
+    }
+    dependencies.Add(earlier);
+  }
+  return dependencies;
+}
+
+//------------------------------------------------------------------------------
 MergeTree PartMerges::Build(const std::function<bool(double)>& progress)
 {
   this->Progress = &progress;
@@ -360,7 +474,7 @@ MergeTree PartMerges::Build(const std::function<bool(double)>& progress)
     }
   }
   const double before = this->Done;
-  const auto merged = MergeBricks(std::move(rest), this->OfGroups, {}, {},
+  const auto merged = MergeBricks(std::move(rest), this->OfGroups, {}, this->Bared, {},
     [&](double done) { return this->Report(before + (1 - before) * done); });
   this->Note(merged, levels, 0, 0);
   return this->MakeTree();

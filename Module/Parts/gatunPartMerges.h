@@ -7,12 +7,14 @@
 #include "gatunBrickDivision.h"
 #include "gatunBrickFile.h"
 #include "gatunBrickGroup.h"
+#include "gatunMergeDependencies.h"
 #include "gatunMergeTree.h"
 #include "gatunSpillSorter.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -58,7 +60,7 @@ struct MergedPart
  * tetrahedra. The merges do not depend on the number of threads.
  *
  * Memory: the groups; 1 byte a point, and what sums there are of points of several parts; and for
- * the tree, 12 bytes a merge. Disk: 34 bytes a tetrahedron and 6 for each field, and 40 bytes a
+ * the tree, 12 bytes a merge. Disk: 38 bytes a tetrahedron and 6 for each field, and 70 bytes a
  * merge.
  *
  * Methods throw Error (InvalidInput, CannotWrite, Aborted).
@@ -79,6 +81,10 @@ public:
 
   /** To be called once behind the last part. progress: see BuildMergeTree. */
   MergeTree Build(const std::function<bool(double)>& progress = {});
+
+  /** The dependencies between the merges, which take 28 bytes each. To be called once behind Build.
+   * tree: its result. */
+  MergeDependencies FindDependencies(const MergeTree& tree);
 
   /** The parts of the mesh at the end of the last level. Any group of bricks that fits into memory
    * may be one. Before the first level there is a single part. */
@@ -107,12 +113,24 @@ private:
     bool operator<(const Record& other) const;
   };
 
+  /** That a merge depends on an earlier one. Both have their numbers in the tree. */
+  struct Dependency
+  {
+    std::uint32_t Merge, Earlier;
+
+    bool operator<(const Dependency& other) const
+    {
+      return this->Merge != other.Merge ? this->Merge < other.Merge : this->Earlier < other.Earlier;
+    }
+  };
+
   std::vector<std::uint64_t> ListTets() const;
   MergeBrick ReadBrick(std::size_t number) const;
   std::uint16_t ReduceToOneGroup();
   MergedPart Read(
     const BrickDivision::Group& group, std::span<const std::uint32_t> ancestors) const;
   void EndLevel();
+  void FindTouched();
   void RunPass(std::uint16_t level, std::uint16_t pass, unsigned limit);
   MergedGroup RunGroup(const BrickDivision::Group& group, unsigned limit);
   void Note(
@@ -138,6 +156,11 @@ private:
   std::vector<std::uint64_t> Histogram; // of the keys of the last pass
   SpillSorter<Record> Records;
   std::size_t Merges = 0;
+  std::vector<BaredFace> Bared;            // by the last pass
+  std::unique_ptr<AtomicFile> Touched;     // by the pass: TouchedFace
+  std::vector<Dependency> Either;          // by points: depends on the earlier one if it is later
+  AtomicFile Earlier;                      // for each group, its merges and what they depend on
+  std::vector<std::size_t> EarlierOfGroup; // the bytes in the file
   const std::function<bool(double)>* Progress = nullptr;
   double Done = 0;
 };

@@ -4,6 +4,7 @@
 #include "gatunPartLevels.h"
 
 #include "gatunBaseMesh.h"
+#include "gatunDependencySection.h"
 
 #include <algorithm>
 #include <span>
@@ -203,7 +204,8 @@ void PartLevels::Write(std::uint32_t merges, std::size_t parts,
 }
 
 //------------------------------------------------------------------------------
-void PartLevels::WriteTrees(const MergeTree& tree)
+void PartLevels::WriteTrees(
+  const MergeTree& tree, const MergeDependencies* dependencies, const Progress& progress)
 {
   std::vector<std::uint32_t> places(tree.GetNumberOfPoints());
   for (const Level& level : this->Levels)
@@ -212,7 +214,13 @@ void PartLevels::WriteTrees(const MergeTree& tree)
     {
       places[level.Points[i]] = i;
     }
-    level.File->WriteTree(TakeRest(tree, level.Merges, places, level.Points.size()));
+    const MergeTree& rest =
+      level.File->WriteTree(TakeRest(tree, level.Merges, places, level.Points.size()));
+    if (dependencies)
+    {
+      WriteDependencies(
+        level.File->GetState(), rest, TakeRest(*dependencies, level.Merges), progress);
+    }
   }
 }
 

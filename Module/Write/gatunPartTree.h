@@ -38,6 +38,12 @@ public:
    * BuildMergeTree. */
   MergeTree Build(const std::function<bool(double)>& progress);
 
+  /** See PartMerges. */
+  MergeDependencies FindDependencies(const MergeTree& tree)
+  {
+    return this->Merges.FindDependencies(tree);
+  }
+
   PartLevels& GetLevels() { return this->Levels; }
 
 private:

@@ -3,6 +3,7 @@
 
 #include "gatunPartWriter.h"
 
+#include "gatunDependencySection.h"
 #include "gatunError.h"
 #include "gatunKeepMemory.h"
 #include "gatunPartAssembly.h"
@@ -523,7 +524,7 @@ void PartWriter::Internals::EndParts()
 }
 
 //------------------------------------------------------------------------------
-void PartWriter::Internals::WriteTree(MergeTree tree)
+const MergeTree& PartWriter::Internals::WriteTree(MergeTree tree)
 {
   this->Merges.emplace(this->State, std::move(tree),
     [this](unsigned axis) { return this->Values->ReadCoordinates(axis); });
@@ -534,6 +535,21 @@ void PartWriter::Internals::WriteTree(MergeTree tree)
       { return this->Values->ReadRange(step, array, range); },
       steps - 1 - step);
   }
+  return this->Merges->GetTree();
+}
+
+//------------------------------------------------------------------------------
+void PartWriter::Internals::WriteHierarchy(const Progress& progress)
+{
+  const auto stay = [&](double) { return !progress || progress(1); };
+  const MergeTree& tree = this->WriteTree(this->Tree->Build(progress));
+  std::optional<MergeDependencies> dependencies;
+  if (this->Options.File.Dependencies && !tree.GetMerges().empty())
+  {
+    dependencies = this->Tree->FindDependencies(tree);
+    WriteDependencies(this->State, tree, *dependencies, stay);
+  }
+  this->Tree->GetLevels().WriteTrees(tree, dependencies ? &*dependencies : nullptr, stay);
 }
 
 //------------------------------------------------------------------------------
@@ -561,8 +577,7 @@ PartStatistics PartWriter::Internals::Finish(const Progress& progress)
   std::vector<std::uint32_t> levels;
   if (this->Tree)
   {
-    this->WriteTree(this->Tree->Build(progress));
-    this->Tree->GetLevels().WriteTrees(this->Merges->GetTree());
+    this->WriteHierarchy(progress);
     levels = this->Tree->GetLevels().Embed();
   }
   this->Complete(std::move(levels));

@@ -32,7 +32,7 @@ struct PartWriterOptions
 
   /** For a hierarchy of the tetrahedra, which is found in parts: the weight of each array for
    * merges, 0 for those that do not count. Not with several processes. It takes 320 MB in each
-   * thread and some 50 bytes a point while Finish finds it. */
+   * thread and some 50 bytes a point, or 90 with dependencies, while Finish finds it. */
   std::optional<std::vector<double>> Weights;
 
   /** The most tetrahedra that a thread simplifies at once, at 160 bytes each. It determines the

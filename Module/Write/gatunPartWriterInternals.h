@@ -54,12 +54,13 @@ public:
 
   // Of a base mesh.
   void EndParts() override;
-  void WriteTree(MergeTree tree) override;
+  const MergeTree& WriteTree(MergeTree tree) override;
   void Complete(std::vector<std::uint32_t> levels) override;
   WriterState& GetState() override { return this->State; }
   std::span<const std::uint32_t> GetNumbers() const override { return this->Values->GetNumbers(); }
 
 private:
+  void WriteHierarchy(const Progress& progress);
   void EndPartSurvey();
   void JoinAlone();
   void JoinTogether();

@@ -41,10 +41,10 @@ std::uint64_t NeededMiB(std::uint64_t pieceBytes, std::uint64_t moreBytes)
 // What a thread takes to find the hierarchy of a mesh in pieces.
 constexpr std::uint64_t GroupMiB = 320;
 
-// What the tables of a hierarchy take: some 50 bytes a point. bytes: of the mesh.
+// What the tables of a hierarchy take: some 90 bytes a point. bytes: of the mesh.
 std::uint64_t TableMiB(std::uint64_t bytes)
 {
-  return bytes / 5 >> 20;
+  return bytes / 3 >> 20;
 }
 
 // The same with the hierarchy of a mesh that is written in pieces. allBytes: of all pieces.

@@ -179,8 +179,8 @@ inline std::vector<MergeTree::Tet> SimplifyAll(
 }
 
 /** The merges of a solid in parts, which are slices of its list of tetrahedra. */
-inline MergeTree BuildInParts(
-  const Solid& solid, std::size_t parts, const PartMergeSettings& settings)
+inline MergeTree BuildInParts(const Solid& solid, std::size_t parts,
+  const PartMergeSettings& settings, MergeDependencies* dependencies = nullptr)
 {
   PartMerges merges(static_cast<std::uint32_t>(solid.Points.size()), 1, settings);
   const std::size_t tets = solid.Tets.size();
@@ -208,7 +208,12 @@ inline MergeTree BuildInParts(
     const std::vector<std::uint8_t> isShared(numbers.size(), parts > 1 ? 1 : 0);
     merges.Add({ own.GetInput(), numbers, isShared });
   }
-  return merges.Build();
+  MergeTree tree = merges.Build();
+  if (dependencies)
+  {
+    *dependencies = merges.FindDependencies(tree);
+  }
+  return tree;
 }
 }
 

@@ -3,8 +3,10 @@
 
 // Base meshes of a mesh that is written in parts are what is left of it, with all values.
 
+#include "gatunDependencyCheck.h"
 #include "gatunError.h"
 #include "gatunHostile.h"
+#include "gatunMeshDependencies.h"
 #include "gatunMeshParts.h"
 #include "gatunParallel.h"
 #include "gatunTestFile.h"
@@ -124,17 +126,43 @@ TEST(PartLevels, OfCellsOfAllKindsAndOfNoSteps)
   EXPECT_TRUE(VerifyFile(*std::make_shared<FileReader>(bare)));
 }
 
+TEST(PartLevels, HaveTheDependenciesOfAReplayAsTheWholeMeshHas)
+{
+  for (const std::uint64_t group : { 1000000, 12000 })
+  {
+    auto options = MakeLevelSettings(group);
+    options.File.Dependencies = true;
+    const auto path = WriteLevels("partLevelsDependent.gtn", MakeLevelParts(), 3, options, 1);
+    const auto whole = std::make_shared<const FileReader>(path);
+    EXPECT_TRUE(VerifyFile(*std::make_shared<FileReader>(path)));
+    std::vector<std::shared_ptr<const FileReader>> files{ whole };
+    for (std::size_t i = 0; i < whole->GetLevels().size(); ++i)
+    {
+      files.push_back(whole->OpenLevel(i));
+    }
+    EXPECT_EQ(files.size(), 3u);
+    for (const auto& file : files)
+    {
+      ASSERT_TRUE(file->HasDependencies());
+      const auto tree = file->GetMergeTree();
+      const auto found = FindDependencies(file, tree);
+      ASSERT_TRUE(found);
+      EXPECT_TRUE(AreEquivalent(file->ReadDependencies(tree), *found)) << group;
+    }
+  }
+}
+
 TEST(PartLevels, DoNotDependOnThreads)
 {
   std::string first;
   for (const int threads : { 1, 2, 5 })
   {
     std::string bytes;
+    auto options = MakeLevelSettings(12000);
+    options.File.Dependencies = true;
     WithNumberOfThreads(threads,
-      [&]
-      {
-        bytes = ReadBytes(
-          WriteLevels("partLevelsThreads.gtn", MakeLevelParts(), 4, MakeLevelSettings(12000), 1));
+      [&] {
+        bytes = ReadBytes(WriteLevels("partLevelsThreads.gtn", MakeLevelParts(), 4, options, 1));
       });
     first = first.empty() ? bytes : first;
     EXPECT_TRUE(bytes == first) << threads;

@@ -3,6 +3,7 @@
 
 // Merges of a mesh in parts are as good as those of the whole, whatever the parts are.
 
+#include "gatunDependencyCheck.h"
 #include "gatunError.h"
 #include "gatunMergeBuilder.h"
 #include "gatunParallel.h"
@@ -156,6 +157,42 @@ TEST(PartMerges, ComeInAnOrderInWhichEachIsPossible)
     }
     ASSERT_TRUE(isEdge) << merge.Point;
     std::erase_if(tets, [](const auto& tet) { return Simplex(tet.begin(), tet.end()).size() < 4; });
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(PartMerges, HaveTheDependenciesOfAReplay)
+{
+  for (const char* const name : { "Block", "Lattice", "Ring", "Void", "Parts" })
+  {
+    const Solid solid = MakeSolid(name);
+    for (const std::uint64_t most : { 100000, 700, 200 })
+    {
+      MergeDependencies dependencies;
+      const MergeTree tree = BuildInParts(solid, 3, MakeSettings(most), &dependencies);
+      const MergeDependencies replay(tree, solid.Tets);
+      ASSERT_EQ(dependencies.GetNumberOfMerges(), replay.GetNumberOfMerges());
+      for (std::size_t i = 0; i < replay.GetNumberOfMerges(); ++i)
+      {
+        const auto got = dependencies.Get(i);
+        const auto expected = replay.Get(i);
+        ASSERT_TRUE(std::equal(got.begin(), got.end(), expected.begin(), expected.end()))
+          << name << " " << most << " " << i;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(PartMerges, HaveDependenciesOfMergesInOtherGroups)
+{
+  // Where the boundary is rough, merges bare sides of tetrahedra in other groups of the pass.
+  const Solid solid = MakeSolid(14, 0.3, [](const Position&) { return true; });
+  for (const std::uint64_t most : { 3000, 1500, 700, 300 })
+  {
+    MergeDependencies dependencies;
+    const MergeTree tree = BuildInParts(solid, 2, MakeSettings(most), &dependencies);
+    EXPECT_TRUE(AreEquivalent(dependencies, MergeDependencies(tree, solid.Tets))) << most;
   }
 }
 
