@@ -261,7 +261,7 @@ public:
    * Whether to store the boundary of the mesh with all arrays and time steps, which readers can
    * show without decoding the mesh (vtkGatunMeshReader::LargeMesh): the faces that only one 3D cell
    * has (of nonlinear cells, the linear faces with their corners), and the cells of a lower
-   * dimension. The mesh must be in one piece and one process; surfaces are refused. Default: off.
+   * dimension. Several processes, and surfaces, are refused. Default: off.
    */
   vtkSetMacro(WriteBoundary, bool);
   vtkGetMacro(WriteBoundary, bool);

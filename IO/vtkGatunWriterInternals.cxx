@@ -441,10 +441,10 @@ void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
     gatun::ThrowInvalid("a hierarchy needs all pieces in one process; write the file without it, "
                         "and add it with 'gtn pack --hierarchy'");
   }
-  if (owner->WriteBoundary)
+  if (owner->WriteBoundary && this->IsTogether)
   {
-    gatun::ThrowInvalid("the boundary needs the whole mesh in one piece and one process; write the "
-                        "file without it, and add it with 'gtn pack --boundary'");
+    gatun::ThrowInvalid("the boundary needs all pieces in one process; write the file without it, "
+                        "and add it with 'gtn pack --boundary'");
   }
   const gatun::ErrorKind rounding = this->GetPointBound().Kind;
   if (rounding == gatun::ErrorKind::Relative || rounding == gatun::ErrorKind::Bits)

@@ -590,7 +590,8 @@ extern "C"
    *
    * The hierarchy is that of the whole mesh, as are the levels. They are found by gatun_finish,
    * with temporary files in the folder of the file: 44 bytes a tetrahedron for a field, 70 a point,
-   * and the points and values without compression, twice with levels.
+   * and the points and values without compression, twice with levels. The
+   * boundary is in memory, at some 300 bytes a face, and needs the latter, too.
    */
   GATUN_API gatun_status gatun_create_parts(const char* path, const gatun_array* arrays,
     size_t array_count, const gatun_options* options, gatun_writer** writer);

@@ -114,6 +114,7 @@ gatun_set_options(-Os
   Write/gatunPartAgreement.cxx
   Write/gatunPartAssembly.cxx
   Write/gatunPartExchange.cxx
+  Write/gatunPartSurface.cxx
   Write/gatunPartSurvey.cxx
   Write/gatunPartLevels.cxx
   Write/gatunPartTree.cxx

@@ -81,12 +81,18 @@ std::vector<BoundaryFace> FindOpenFaces(const MeshAccess& mesh,
         face.IsShared = std::all_of(corners.begin(), corners.end(), isShared);
       });
   }
+  KeepOpenFaces(faces);
+  return { faces.begin(), faces.end() }; // without the room for the others
+}
+
+//------------------------------------------------------------------------------
+void KeepOpenFaces(std::vector<BoundaryFace>& faces)
+{
   // Of a face that is there several times, two are enough to tell that.
   SelectFaces(faces,
     [](const BoundaryFace& face, std::size_t number) -> std::size_t {
       return number == 1 ? 1 : face.IsShared ? 2 : 0;
     });
-  return { faces.begin(), faces.end() }; // without the room for the others
 }
 
 //------------------------------------------------------------------------------

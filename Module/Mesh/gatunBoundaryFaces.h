@@ -48,6 +48,10 @@ std::vector<BoundaryFace> FindOpenFaces(const MeshAccess& mesh,
   std::span<const std::uint32_t> cells, const std::function<std::uint32_t(std::uint32_t)>& numberOf,
   const std::function<bool(std::uint32_t)>& isShared);
 
+/** Leaves what may be on the boundary of all of the mesh, of the open faces of a part of it, with
+ * IsShared for cells of other parts. */
+void KeepOpenFaces(std::vector<BoundaryFace>& faces);
+
 /** Leaves the faces that occur once, of the open faces of all parts of a mesh. */
 void KeepSingleFaces(std::vector<BoundaryFace>& faces);
 

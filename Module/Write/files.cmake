@@ -32,6 +32,7 @@ gatun_core_folder(Write
     gatunPartAssembly.h
     gatunPartBoundary.h
     gatunPartLevels.h
+    gatunPartSurface.h
     gatunPartSurvey.h
     gatunPartTree.h
     gatunPartValues.h
@@ -64,6 +65,7 @@ gatun_core_folder(Write
     gatunPartExchange.cxx
     gatunPartBoundary.cxx
     gatunPartLevels.cxx
+    gatunPartSurface.cxx
     gatunPartSurvey.cxx
     gatunPartTree.cxx
     gatunPartValues.cxx

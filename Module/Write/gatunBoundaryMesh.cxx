@@ -10,12 +10,53 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 namespace gatun
 {
+//------------------------------------------------------------------------------
+WriterOptions MakeBoundaryOptions(const WriterOptions& whole, const MergeTree* tree)
+{
+  WriterOptions options = whole;
+  options.Keep = KeepNone;
+  options.Tree = tree;
+  options.Levels = 0;
+  options.Layers.reset();
+  options.Boundary = false;
+  options.IsSurface = true;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+std::vector<BoundaryFace> FindFacesOfChunks(const MeshAccess& mesh, const Partition& layout,
+  const std::function<std::uint32_t(std::uint32_t)>& numberOf,
+  const std::function<bool(std::uint32_t)>& isShared)
+{
+  std::vector<std::vector<BoundaryFace>> open(layout.GetChunkCount());
+  ParallelFor(open.size(),
+    [&](std::size_t c) { open[c] = FindOpenFaces(mesh, layout.GetCells(c), numberOf, isShared); });
+  std::vector<BoundaryFace> faces;
+  for (auto& some : open)
+  {
+    faces.insert(faces.end(), some.begin(), some.end());
+    some = {};
+  }
+  return faces;
+}
+
+//------------------------------------------------------------------------------
+void BoundaryCells::Add(
+  SurfaceList list, std::uint32_t cell, std::span<const std::uint32_t> corners)
+{
+  this->Types.push_back(GetSurfaceCell(list, static_cast<std::int64_t>(corners.size())));
+  this->Connectivity.insert(this->Connectivity.end(), corners.begin(), corners.end());
+  this->Offsets.push_back(static_cast<std::int64_t>(this->Connectivity.size()));
+  this->Cells.push_back(cell);
+}
+
 namespace
 {
-/** The faces of all chunks that only one cell of the mesh has, by their cells. */
+/** The faces that only one cell of the mesh has, by their cells. */
 std::vector<BoundaryFace> FindFaces(const MeshAccess& mesh, const Partition& layout)
 {
   std::vector<bool> shared(static_cast<std::size_t>(mesh.GetMesh().Points), false);
@@ -26,22 +67,9 @@ std::vector<BoundaryFace> FindFaces(const MeshAccess& mesh, const Partition& lay
       shared[point] = true;
     }
   }
-  std::vector<std::vector<BoundaryFace>> open(layout.GetChunkCount());
-  ParallelFor(open.size(),
-    [&](std::size_t c)
-    {
-      const auto first = layout.ChunkStart[c];
-      open[c] = FindOpenFaces(
-        mesh, std::span(layout.Cells).subspan(first, layout.ChunkStart[c + 1] - first),
-        [](std::uint32_t point) { return point; },
-        [&](std::uint32_t point) -> bool { return shared[point]; });
-    });
-  std::vector<BoundaryFace> faces;
-  for (auto& some : open)
-  {
-    faces.insert(faces.end(), some.begin(), some.end());
-    some = {};
-  }
+  auto faces = FindFacesOfChunks(
+    mesh, layout, [](std::uint32_t point) { return point; },
+    [&](std::uint32_t point) -> bool { return shared[point]; });
   KeepSingleFaces(faces);
   std::sort(faces.begin(), faces.end(),
     [](const auto& a, const auto& b)
@@ -54,9 +82,20 @@ std::vector<BoundaryFace> FindFaces(const MeshAccess& mesh, const Partition& lay
 BoundaryMesh::BoundaryMesh(const MeshAccess& mesh, const Partition& layout)
   : CoordinateType(mesh.GetMesh().CoordinateType)
 {
-  this->Offsets.push_back(0);
   this->AddCells(mesh, FindFaces(mesh, layout));
-  this->AddPoints(mesh);
+  this->AddPoints(mesh.GetMesh().Points);
+  this->Coordinates =
+    this->Gather(mesh.GetMesh().Coordinates, Association::Point, 3 * SizeOf(this->CoordinateType));
+}
+
+//------------------------------------------------------------------------------
+BoundaryMesh::BoundaryMesh(BoundaryCells cells, std::uint64_t points, ScalarType type,
+  const std::function<Bytes(std::span<const std::uint32_t>)>& getCoordinates)
+  : CoordinateType(type)
+  , Faces(std::move(cells))
+{
+  this->AddPoints(points);
+  this->Coordinates = getCoordinates(this->Points);
 }
 
 //------------------------------------------------------------------------------
@@ -72,54 +111,44 @@ void BoundaryMesh::AddCells(const MeshAccess& mesh, std::vector<BoundaryFace> fa
       cells[static_cast<std::size_t>(*list)].push_back(cell);
     }
   }
-  const auto add = [&](SurfaceList list, std::uint32_t cell)
-  {
-    this->Types.push_back(GetSurfaceCell(list, static_cast<std::int64_t>(corners.size())));
-    this->Connectivity.insert(this->Connectivity.end(), corners.begin(), corners.end());
-    this->Offsets.push_back(static_cast<std::int64_t>(this->Connectivity.size()));
-    this->Cells.push_back(cell);
-  };
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
     const auto list = static_cast<SurfaceList>(i);
     for (const auto cell : cells[i])
     {
       FindSurfaceCell(mesh, cell, corners);
-      add(list, cell);
+      this->Faces.Add(list, cell, corners);
     }
     for (std::size_t f = 0; list == SurfaceList::Polygons && f < faces.size(); ++f)
     {
       FindCorners(mesh, faces[f], corners);
-      add(list, faces[f].Cell);
+      this->Faces.Add(list, faces[f].Cell, corners);
     }
   }
 }
 
 //------------------------------------------------------------------------------
 /** Numbers the points of the cells anew. */
-void BoundaryMesh::AddPoints(const MeshAccess& mesh)
+void BoundaryMesh::AddPoints(std::uint64_t points)
 {
-  const MeshInput& input = mesh.GetMesh();
-  constexpr std::int64_t none = -1;
-  std::vector<std::int64_t> places(static_cast<std::size_t>(input.Points), none);
-  for (const auto point : this->Connectivity)
+  constexpr std::uint32_t none = 0xffffffffu;
+  std::vector<std::uint32_t> places(static_cast<std::size_t>(points), none);
+  for (const auto point : this->Faces.Connectivity)
   {
     places[static_cast<std::size_t>(point)] = 0;
   }
-  for (std::size_t point = 0; point < places.size(); ++point)
+  for (std::uint32_t point = 0; point < places.size(); ++point)
   {
     if (places[point] != none)
     {
-      places[point] = static_cast<std::int64_t>(this->Points.size());
-      this->Points.push_back(static_cast<std::uint32_t>(point));
+      places[point] = static_cast<std::uint32_t>(this->Points.size());
+      this->Points.push_back(point);
     }
   }
-  for (auto& point : this->Connectivity)
+  for (auto& point : this->Faces.Connectivity)
   {
     point = places[static_cast<std::size_t>(point)];
   }
-  this->Coordinates =
-    this->Gather(input.Coordinates, Association::Point, 3 * SizeOf(this->CoordinateType));
 }
 
 //------------------------------------------------------------------------------
@@ -129,10 +158,10 @@ MeshInput BoundaryMesh::GetInput() const
   input.Points = this->Points.size();
   input.CoordinateType = this->CoordinateType;
   input.Coordinates = this->Coordinates.data();
-  input.Cells = this->Cells.size();
-  input.Connectivity = this->Connectivity.data();
-  input.Types = this->Types.data();
-  input.Offsets = this->Offsets.data();
+  input.Cells = this->Faces.Cells.size();
+  input.Connectivity = this->Faces.Connectivity.data();
+  input.Types = this->Faces.Types.data();
+  input.Offsets = this->Faces.Offsets.data();
   return input;
 }
 
@@ -144,7 +173,7 @@ std::optional<MergeTree> BoundaryMesh::MakeTree(const MergeTree& whole) const
     const auto list = GetSurfaceList(type);
     return type == TriangleType || list == SurfaceList::Vertices || list == SurfaceList::Lines;
   };
-  if (!std::all_of(this->Types.begin(), this->Types.end(), isSimple))
+  if (!std::all_of(this->Faces.Types.begin(), this->Faces.Types.end(), isSimple))
   {
     return {};
   }
@@ -173,6 +202,7 @@ std::optional<MergeTree> BoundaryMesh::MakeTree(const MergeTree& whole) const
 //------------------------------------------------------------------------------
 Bytes BoundaryMesh::Gather(const void* values, Association where, std::size_t tupleBytes) const
 {
-  return GatherTuples(values, where == Association::Point ? this->Points : this->Cells, tupleBytes);
+  return GatherTuples(
+    values, where == Association::Point ? this->Points : this->Faces.Cells, tupleBytes);
 }
 }

@@ -168,7 +168,7 @@ std::unique_ptr<FileWriter::Internals::Level> FileWriter::Internals::MakeLevel(
       options.Layers->Values, Association::Point, array.Components * SizeOf(array.Type));
     options.Layers->Values = layerValues.data();
   }
-  level->File = std::make_unique<Internals>(*this, level->Mesh.GetInput(), options);
+  level->File = std::make_unique<Internals>(this->State, level->Mesh.GetInput(), options);
   level->File->BeginMesh([&](double) { return !progress || progress(1); });
   level->File->WriteMesh([&](double) { return !progress || progress(1); });
   return level;
@@ -183,15 +183,10 @@ void FileWriter::Internals::WriteBoundary(const Progress& progress)
   {
     this->Boundary->Tree = this->Boundary->Mesh.MakeTree(*options.Tree);
   }
-  options.Keep = KeepNone;
-  options.Tree = this->Boundary->Tree ? &*this->Boundary->Tree : nullptr;
-  options.Levels = 0;
-  options.LevelMerges.clear();
-  options.Layers.reset();
-  options.Boundary = false;
-  options.IsSurface = true;
+  options = MakeBoundaryOptions(
+    this->State.Options, this->Boundary->Tree ? &*this->Boundary->Tree : nullptr);
   this->Boundary->File =
-    std::make_unique<Internals>(*this, this->Boundary->Mesh.GetInput(), options);
+    std::make_unique<Internals>(this->State, this->Boundary->Mesh.GetInput(), options);
   this->Boundary->File->Begin([&](double) { return !progress || progress(1); });
 }
 
@@ -321,7 +316,6 @@ std::uint64_t FileWriter::Internals::AddEmbedded(FourCC section, Internals& embe
 }
 
 //------------------------------------------------------------------------------
-/** Writes all but the directory. */
 void FileWriter::Internals::Complete()
 {
   if (this->Boundary)

@@ -94,8 +94,9 @@ public:
   /** Completes the file and moves it to its path. */
   FileStatistics Finish();
 
-private:
   class Internals;
+
+private:
   std::unique_ptr<Internals> Self;
   std::vector<ArrayDescription> Arrays; // without coordinates
 };

@@ -43,15 +43,15 @@ public:
   Internals(const FileReader& file, const WriterOptions& options);
 
   /** A base mesh or the boundary of another writer's file. */
-  Internals(const Internals& whole, const MeshInput& mesh, const WriterOptions& options)
-    : Internals(whole, mesh, whole.State.Meta.Arrays, options)
+  Internals(const WriterState& whole, const MeshInput& mesh, const WriterOptions& options)
+    : Internals(whole, mesh, whole.Meta.Arrays, options)
   {
   }
 
   /** Another mesh of the series. */
-  Internals(const Internals& whole, const MeshInput& mesh,
+  Internals(const WriterState& whole, const MeshInput& mesh,
     const std::vector<ArrayDescription>& arrays, const WriterOptions& options)
-    : State(whole.State, arrays, options)
+    : State(whole, arrays, options)
     , Part(mesh)
   {
   }
@@ -72,6 +72,10 @@ public:
     double time, const Progress& progress, const void* coordinates,
     const RemainingCells* remaining);
   FileStatistics Finish();
+
+  /** Writes all but the directory. */
+  void Complete();
+  OutputFile& GetFile() { return this->State.File; }
 
 private:
   /** A mesh made of this one, which is written as a file of its own and embedded at the end. */
@@ -113,7 +117,6 @@ private:
   std::uint32_t WriteMask(CellMask mask);
   void WriteRemaining(std::span<const void* const> values, const FieldData& field, double time,
     const Progress& progress, const RemainingCells& remaining, StoredStep& stored);
-  void Complete();
   void WriteTables();
 
   WriterState State;

@@ -39,7 +39,7 @@ std::uint32_t FileWriter::Internals::AddMesh(const MeshInput& mesh,
     ThrowInvalid("some meshes of the series are surfaces, and some are not");
   }
   this->EndOther();
-  this->Other = std::make_unique<Internals>(*this, mesh, arrays, options);
+  this->Other = std::make_unique<Internals>(this->State, mesh, arrays, options);
   this->Other->Begin(progress);
   this->NextMesh = this->NumberOfMeshes;
   return this->NumberOfMeshes++;

@@ -69,14 +69,6 @@ private:
   std::vector<std::int64_t> Connectivity;
   std::vector<std::int64_t> Ids;
 };
-
-std::vector<const void*> ListPointers(const std::vector<Bytes>& values)
-{
-  std::vector<const void*> pointers;
-  std::transform(values.begin(), values.end(), std::back_inserter(pointers),
-    [](const Bytes& some) { return some.data(); });
-  return pointers;
-}
 }
 
 //------------------------------------------------------------------------------

@@ -34,21 +34,12 @@ PartMergeSettings WithCells(PartMergeSettings settings, bool keepsCells)
 }
 
 //------------------------------------------------------------------------------
-bool NeedsCells(const WriterState& state)
-{
-  const auto& arrays = state.Meta.Arrays;
-  return state.Options.Levels > 0 &&
-    std::any_of(arrays.begin(), arrays.end(),
-      [](const ArrayDescription& array) { return array.Where == Association::Cell; });
-}
-
-//------------------------------------------------------------------------------
 PartTree::PartTree(WriterState& state, const PartValues& values, std::span<const double> weights,
   bool hasSteps, const PartMergeSettings& settings, PartLevels::MakeFile makeLevel)
   : State(state)
   , Values(values)
   , Weights(weights.begin(), weights.end())
-  , KeepsCells(NeedsCells(state))
+  , KeepsCells(state.Options.Levels > 0 && HasCellArrays(state.Meta))
   , Merges(static_cast<std::uint32_t>(state.Meta.Points),
       CountFields(state.Meta, weights, hasSteps), WithCells(settings, this->KeepsCells))
   , Levels(state, values, this->Merges, std::move(makeLevel))

@@ -54,9 +54,6 @@ private:
   PartMerges Merges;
   PartLevels Levels;
 };
-
-/** Whether base meshes have values of cells. */
-bool NeedsCells(const WriterState& state);
 }
 
 #endif

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -21,6 +22,22 @@ namespace
 /** What is read at once, and what is read rather than skipped. */
 constexpr std::size_t MostAtOnce = std::size_t{ 1 } << 18;
 constexpr std::size_t LeastSkipped = std::size_t{ 1 } << 13;
+}
+
+//------------------------------------------------------------------------------
+std::vector<const void*> ListPointers(const std::vector<Bytes>& values)
+{
+  std::vector<const void*> pointers;
+  std::transform(values.begin(), values.end(), std::back_inserter(pointers),
+    [](const Bytes& some) { return some.data(); });
+  return pointers;
+}
+
+//------------------------------------------------------------------------------
+bool HasCellArrays(const MetaTable& meta)
+{
+  return std::any_of(meta.Arrays.begin(), meta.Arrays.end(),
+    [](const ArrayDescription& array) { return array.Where == Association::Cell; });
 }
 
 //------------------------------------------------------------------------------

@@ -29,6 +29,12 @@ struct PartStep
   std::vector<std::vector<Domain>> Domains; ///< see StepValues::Rounded
 };
 
+/** Where the values of arrays are. */
+std::vector<const void*> ListPointers(const std::vector<Bytes>& values);
+
+/** Whether some array is one of cells. */
+bool HasCellArrays(const MetaTable& meta);
+
 /**
  * The points and values of a mesh that is written in parts, as readers will have them, in a
  * temporary file. Points have their numbers in the file, of which those that no cell uses are the

@@ -5,6 +5,7 @@
 
 #include "gatunDependencySection.h"
 #include "gatunError.h"
+#include "gatunFileWriterInternals.h"
 #include "gatunKeepMemory.h"
 #include "gatunPartAssembly.h"
 #include "gatunPartWriterInternals.h"
@@ -68,6 +69,10 @@ void CheckOptions(
   if (all.Weights && !isAlone)
   {
     ThrowInvalid("a hierarchy cannot be written by several processes");
+  }
+  if (options.Boundary && !isAlone)
+  {
+    ThrowInvalid("a boundary cannot be written by several processes");
   }
   if (all.Weights && options.IsSurface)
   {
@@ -244,10 +249,16 @@ void PartWriter::Internals::JoinAlone()
   this->IsJoined = true;
   this->Boundaries.Join(this->Parts.size(), this->State.Groups);
   this->PlaceParts();
-  if (this->Options.Weights || this->Rounded)
+  const WriterOptions& options = this->Options.File;
+  if (this->Options.Weights || this->Rounded || options.Boundary)
   {
-    this->Values.emplace(
-      this->State, this->GetNumberOfSteps(), NeedsCells(this->State), this->Folder);
+    const bool keepsCells =
+      (options.Levels > 0 || options.Boundary) && HasCellArrays(this->State.Meta);
+    this->Values.emplace(this->State, this->GetNumberOfSteps(), keepsCells, this->Folder);
+  }
+  if (options.Boundary)
+  {
+    this->Surface.emplace(this->Folder, this->Options.SpillMemory);
   }
   if (this->Options.Weights)
   {
@@ -256,10 +267,10 @@ void PartWriter::Internals::JoinAlone()
     settings.Folder = this->Folder;
     this->Tree.emplace(this->State, *this->Values, *this->Options.Weights,
       this->GetNumberOfSteps() > 0, settings,
-      [this](const WriterOptions& options)
+      [this](const WriterOptions& ofLevel)
       {
         PartWriterOptions own;
-        own.File = options;
+        own.File = ofLevel;
         own.SpillMemory = this->Options.SpillMemory;
         own.JoinByIdsOnly = true;
         return std::make_unique<Internals>(this->State, own, *this->Values);
@@ -403,6 +414,10 @@ void PartWriter::Internals::Write(
   if (this->Values)
   {
     this->Values->AddPart(*this->Part);
+  }
+  if (this->Surface)
+  {
+    this->Surface->Add(*this->Part, this->Values->GetNumbers(), this->IsJoinedPoint);
   }
   if (this->Tree && surveyed.StepHashes.empty())
   {
@@ -553,6 +568,29 @@ void PartWriter::Internals::WriteHierarchy(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
+/** Writes the boundary, which is in memory, as a file in the file. */
+void PartWriter::Internals::WriteBoundary(const Progress& progress)
+{
+  const auto stay = [&](double) { return !progress || progress(1); };
+  const BoundaryMesh mesh = this->Surface->Finish(this->State, *this->Values);
+  const auto tree =
+    this->Merges ? mesh.MakeTree(this->Merges->GetTree()) : std::optional<MergeTree>();
+  FileWriter::Internals file(
+    this->State, mesh.GetInput(), MakeBoundaryOptions(this->Options.File, tree ? &*tree : nullptr));
+  file.Begin(stay);
+  const auto& steps = this->Values->GetSteps();
+  for (std::size_t step = 0; step < steps.size(); ++step)
+  {
+    const auto values = this->Values->GetValues(step, mesh.GetPoints(), mesh.GetCells());
+    file.WriteStep(
+      ListPointers(values), {}, steps[step].HasTime, steps[step].Time, stay, &steps[step].Domains);
+  }
+  file.Complete();
+  this->State.Statistics.BoundaryBytes =
+    this->State.File.AddSection(SectionBoundary, file.GetFile());
+}
+
+//------------------------------------------------------------------------------
 void PartWriter::Internals::Complete(std::vector<std::uint32_t> levels)
 {
   this->State.WriteTables(this->State.File);
@@ -574,10 +612,17 @@ PartStatistics PartWriter::Internals::Finish(const Progress& progress)
                             .Finish());
   }
   this->EndParts();
-  std::vector<std::uint32_t> levels;
   if (this->Tree)
   {
     this->WriteHierarchy(progress);
+  }
+  if (this->Surface)
+  {
+    this->WriteBoundary(progress);
+  }
+  std::vector<std::uint32_t> levels;
+  if (this->Tree)
+  {
     levels = this->Tree->GetLevels().Embed();
   }
   this->Complete(std::move(levels));

@@ -91,7 +91,8 @@ struct PartStatistics
  * SpillMemory; some 3 KiB and 50 bytes for each array and time step a chunk, most of it for the
  * groups of shared points; up to
  * 512 KiB for each component and step of arrays that have few different values; and the points that
- * no cell uses, with their values. With KeepPoints also 8 bytes for each point of several parts.
+ * no cell uses, with their values. A boundary is in memory, too: some 300 bytes a face and the
+ * values of a time step. With KeepPoints also 8 bytes for each point of several parts.
  *
  * Several processes can write a file together. Each one surveys and writes its own parts, or none;
  * the file has the parts of the first process, then those of the second, and so on. All give the

@@ -10,6 +10,7 @@
 #include "gatunMeshSection.h"
 #include "gatunPartAgreement.h"
 #include "gatunPartLevels.h"
+#include "gatunPartSurface.h"
 #include "gatunPartSurvey.h"
 #include "gatunPartTree.h"
 #include "gatunPartValues.h"
@@ -61,6 +62,7 @@ public:
 
 private:
   void WriteHierarchy(const Progress& progress);
+  void WriteBoundary(const Progress& progress);
   void EndPartSurvey();
   void JoinAlone();
   void JoinTogether();
@@ -109,8 +111,9 @@ private:
   std::vector<std::uint8_t> IsJoinedPoint; // whether other parts have a point of the part, too
   bool IsDeferred = false;                 // whether the mesh of the part is not written yet
   PointNumbers Numbers{ Boundaries };
-  std::optional<PartValues> Values; // if the file has a hierarchy
+  std::optional<PartValues> Values; // if the file has a hierarchy or a boundary
   std::optional<PartTree> Tree;     // if its merges have to be found
+  std::optional<PartSurface> Surface;
   std::optional<TreeSection> Merges;
 
   // If several processes write the file.

@@ -60,8 +60,9 @@ for name, files in (
     gtn("pack", "-q", "-f", "--memory", 2000, name, "steps.gtn")
     gtn("verify", "steps.gtn", "whole0.vtu", "whole1.vtu", says="identical")
 
-# A hierarchy of the whole, which never is in memory.
-gtn("pack", "-q", "--memory", 2000, "--hierarchy", "--weight", "pressure", "step0.pvtu", "step1.pvtu", "tree.gtn")
+# A hierarchy and the boundary of the whole, which never is in memory.
+gtn("pack", "-q", "--memory", 2000, "--hierarchy", "--boundary", "--weight", "pressure", "step0.pvtu", "step1.pvtu",
+    "tree.gtn")
 gtn("verify", "tree.gtn", "whole0.vtu", "whole1.vtu", says="identical")
 about = json.loads(gtn("info", "--json", "tree.gtn"))
 assert about["merges"] > 0.8 * len(points), about["merges"]
