@@ -94,6 +94,13 @@ gatun_set_options(-Os
   Describe/gatunLayerDescription.cxx
   Describe/gatunMeshDescription.cxx
   Describe/gatunVolumeDescription.cxx
+  Format/gatunAtomicFile.cxx
+  Format/gatunExtents.cxx
+  Format/gatunFieldTable.cxx
+  Format/gatunLayerTable.cxx
+  Format/gatunOutputFile.cxx
+  Format/gatunSeriesTable.cxx
+  Format/gatunSurfaceTable.cxx
   Merge/gatunDependencyCheck.cxx
   Merge/gatunMergeInputCheck.cxx
   Merge/gatunSimplifyTarget.cxx
@@ -102,12 +109,15 @@ gatun_set_options(-Os
   Parts/gatunBrickFile.cxx
   Parts/gatunBrickGroup.cxx
   Parts/gatunPartMerges.cxx
+  Read/gatunBoundaryCheck.cxx
+  Read/gatunFileReaderBoundary.cxx
+  Read/gatunFileReaderLayers.cxx
+  Read/gatunFileReaderSeries.cxx
   Read/gatunVerifyFile.cxx
   Write/gatunBaseMesh.cxx
   Write/gatunBoundaryMerge.cxx
   Write/gatunBoundaryMesh.cxx
   Write/gatunCellSubset.cxx
-  Write/gatunDependencySection.cxx
   Write/gatunFileWriter.cxx
   Write/gatunFileWriterSeries.cxx
   Write/gatunMeshMerges.cxx

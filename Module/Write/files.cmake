@@ -44,6 +44,7 @@ gatun_core_folder(Write
     gatunStepSection.h
     gatunStepTables.h
     gatunTreeLayout.h
+    gatunTreeParts.h
     gatunTreeSection.h
     gatunTurnedCells.h
     gatunWriterCheck.h
@@ -79,6 +80,7 @@ gatun_core_folder(Write
     gatunStepSection.cxx
     gatunStepTables.cxx
     gatunTreeLayout.cxx
+    gatunTreeParts.cxx
     gatunTreeSection.cxx
     gatunTurnedCells.cxx
     gatunWriterCheck.cxx

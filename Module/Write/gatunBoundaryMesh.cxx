@@ -21,6 +21,7 @@ WriterOptions MakeBoundaryOptions(const WriterOptions& whole, const MergeTree* t
   options.Keep = KeepNone;
   options.Tree = tree;
   options.Levels = 0;
+  options.LevelMerges.clear();
   options.Layers.reset();
   options.Boundary = false;
   options.IsSurface = true;

@@ -65,7 +65,7 @@ void FileWriter::Internals::Begin(const Progress& progress)
   {
     this->WriteMesh(progress);
     this->BeginLevels(progress);
-    this->BeginTrees(progress);
+    this->WriteTrees(progress);
   }
   if (this->Boundary)
   {

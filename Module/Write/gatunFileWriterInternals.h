@@ -94,19 +94,9 @@ private:
   void FindDomains();
   void BeginLevels(const Progress& progress);
   std::unique_ptr<Level> MakeLevel(std::uint32_t merges, const Progress& progress) const;
-  std::vector<std::uint32_t> NumberPoints();
-  std::vector<std::vector<std::uint32_t>> NumberPointsOfAll();
-  Internals& GetMeshOfTree(std::size_t mesh)
-  {
-    return mesh == 0 ? *this : *this->Levels[mesh - 1]->File;
-  }
-  std::uint32_t GetFirstMerge(std::size_t mesh) const
-  {
-    return mesh == 0 ? 0 : this->Merges[mesh - 1];
-  }
-  void BeginTree(MergeTree tree);
-  void BeginTrees(const Progress& progress);
-  void WriteDependencies(const MergeTree& tree, const Progress& progress);
+  void OrderPoints();
+  TreeSection& BeginTree(MergeTree tree);
+  void WriteTrees(const Progress& progress);
   void WriteBoundary(const Progress& progress);
   template <typename MeshT>
   void WriteEmbeddedStep(const Embedded<MeshT>& embedded, std::span<const void* const> values,

@@ -4,7 +4,6 @@
 #include "gatunPartLevels.h"
 
 #include "gatunBaseMesh.h"
-#include "gatunDependencySection.h"
 
 #include <algorithm>
 #include <span>
@@ -16,6 +15,7 @@ namespace
 {
 /** A level that leaves more than this part of the tetrahedra is no base mesh. */
 constexpr double LargestStep = 0.75;
+constexpr double LargestFirst = 0.15; // of those of the mesh, with an eighth in mind
 
 /** A part of a base mesh as a writer takes it. */
 class LevelPart
@@ -98,7 +98,9 @@ bool PartLevels::IsComplete() const
 //------------------------------------------------------------------------------
 void PartLevels::Add(std::uint32_t merges, const Progress& progress)
 {
-  const auto most = LargestStep * static_cast<double>(this->CountCells());
+  const auto most = this->Levels.empty()
+    ? LargestFirst * static_cast<double>(this->Whole.Meta.Tets)
+    : LargestStep * static_cast<double>(this->CountCells());
   if (!this->IsComplete() && static_cast<double>(this->Merges.CountTets()) <= most)
   {
     this->Write(
@@ -111,8 +113,8 @@ void PartLevels::Add(std::uint32_t merges, const Progress& progress)
 //------------------------------------------------------------------------------
 void PartLevels::AddRest(const MergeTree& tree, const Progress& progress)
 {
-  std::uint64_t points =
-    this->Levels.empty() ? this->Whole.Meta.Points : this->Levels.back().Points.size();
+  std::uint64_t points = this->Levels.empty() ? (this->Whole.Meta.Points + 3) / 4
+                                              : this->Levels.back().Points.size();
   while (!this->IsComplete())
   {
     points = (points + 1) / 2;
@@ -196,23 +198,12 @@ void PartLevels::Write(std::uint32_t merges, std::size_t parts,
 }
 
 //------------------------------------------------------------------------------
-void PartLevels::WriteTrees(
-  const MergeTree& tree, const MergeDependencies* dependencies, const Progress& progress)
+void PartLevels::List(std::vector<MeshOfTree>& meshes) const
 {
-  std::vector<std::uint32_t> places(tree.GetNumberOfPoints());
   for (const Level& level : this->Levels)
   {
-    for (std::uint32_t i = 0; i < level.Points.size(); ++i)
-    {
-      places[level.Points[i]] = i;
-    }
-    const MergeTree& rest =
-      level.File->WriteTree(TakeRest(tree, level.Merges, places, level.Points.size()));
-    if (dependencies)
-    {
-      WriteDependencies(
-        level.File->GetState(), rest, TakeRest(*dependencies, level.Merges), progress);
-    }
+    meshes.push_back({ level.Merges, level.Points,
+      [&level](MergeTree tree) -> TreeSection& { return level.File->BeginTree(std::move(tree)); } });
   }
 }
 

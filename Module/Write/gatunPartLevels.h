@@ -9,6 +9,7 @@
 #include "gatunMeshInput.h"
 #include "gatunPartMerges.h"
 #include "gatunPartValues.h"
+#include "gatunTreeParts.h"
 #include "gatunWriterOptions.h"
 #include "gatunWriterState.h"
 
@@ -43,8 +44,8 @@ public:
   /** To be called when all parts have been written. */
   virtual void EndParts() = 0;
 
-  /** Writes a hierarchy in the numbers of the file. Returns its tree. */
-  virtual const MergeTree& WriteTree(MergeTree tree) = 0;
+  /** Begins the section of a hierarchy in the numbers of the file. */
+  virtual TreeSection& BeginTree(MergeTree tree) = 0;
 
   /** Writes the tables. levels: the numbers of merges of the base meshes in the file. */
   virtual void Complete(std::vector<std::uint32_t> levels) = 0;
@@ -77,10 +78,8 @@ public:
   /** Writes those behind the last level. */
   void AddRest(const MergeTree& tree, const Progress& progress);
 
-  /** Writes the merges of all base meshes. tree: that of the whole mesh. dependencies: null if they
-   * are not to be stored. */
-  void WriteTrees(
-    const MergeTree& tree, const MergeDependencies* dependencies, const Progress& progress);
+  /** Adds the base meshes to a list. */
+  void List(std::vector<MeshOfTree>& meshes) const;
 
   /** Completes the base meshes and adds them to the file. Returns the numbers of merges that lead
    * to them. */

@@ -3,7 +3,6 @@
 
 #include "gatunPartWriter.h"
 
-#include "gatunDependencySection.h"
 #include "gatunError.h"
 #include "gatunFileWriterInternals.h"
 #include "gatunKeepMemory.h"
@@ -15,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -539,7 +539,7 @@ void PartWriter::Internals::EndParts()
 }
 
 //------------------------------------------------------------------------------
-const MergeTree& PartWriter::Internals::WriteTree(MergeTree tree)
+TreeSection& PartWriter::Internals::BeginTree(MergeTree tree)
 {
   this->Merges.emplace(this->State, std::move(tree),
     [this](unsigned axis) { return this->Values->ReadCoordinates(axis); });
@@ -550,21 +550,24 @@ const MergeTree& PartWriter::Internals::WriteTree(MergeTree tree)
       { return this->Values->ReadRange(step, array, range); },
       steps - 1 - step);
   }
-  return this->Merges->GetTree();
+  return *this->Merges;
 }
 
 //------------------------------------------------------------------------------
 void PartWriter::Internals::WriteHierarchy(const Progress& progress)
 {
   const auto stay = [&](double) { return !progress || progress(1); };
-  const MergeTree& tree = this->WriteTree(this->Tree->Build(progress));
-  std::optional<MergeDependencies> dependencies;
+  const MergeTree tree = this->Tree->Build(progress);
+  std::vector<std::uint32_t> all(tree.GetNumberOfPoints());
+  std::iota(all.begin(), all.end(), 0u);
+  std::vector<MeshOfTree> meshes{ { 0, all,
+    [this](MergeTree own) -> TreeSection& { return this->BeginTree(std::move(own)); } } };
+  this->Tree->GetLevels().List(meshes);
+  TreeParts parts(tree, std::move(meshes));
   if (this->Options.File.Dependencies && !tree.GetMerges().empty())
   {
-    dependencies = this->Tree->FindDependencies(tree);
-    WriteDependencies(this->State, tree, *dependencies, stay);
+    parts.WriteDependencies(this->Tree->FindDependencies(parts.GetTree()), stay);
   }
-  this->Tree->GetLevels().WriteTrees(tree, dependencies ? &*dependencies : nullptr, stay);
 }
 
 //------------------------------------------------------------------------------

@@ -55,7 +55,7 @@ public:
 
   // Of a base mesh.
   void EndParts() override;
-  const MergeTree& WriteTree(MergeTree tree) override;
+  TreeSection& BeginTree(MergeTree tree) override;
   void Complete(std::vector<std::uint32_t> levels) override;
   WriterState& GetState() override { return this->State; }
   std::span<const std::uint32_t> GetNumbers() const override { return this->Values->GetNumbers(); }
