@@ -273,7 +273,7 @@ void vtkGatunSimplify::vtkInternals::FillFromSurface(
     this->FeatureAngle = self->FeatureAngle;
     this->SetPrepared(input, pieces, settings);
   }
-  const std::size_t merges = this->Tree.CountWholeMerges(this->CountMerges(self));
+  const std::size_t merges = this->Tree.CountMergesOfRounds(this->CountMerges(self));
   this->Surface->Fill(this->Tree, merges, output);
   this->OutputRMSError = this->Tree.GetLargestError(merges);
 }
@@ -420,7 +420,7 @@ double vtkGatunSimplify::GetOutputRMSError()
   {
     // The tree is not needed for the output if that is a base mesh.
     const gatun::MergeTree& tree = self.File->GetTree();
-    return tree.GetLargestError(tree.CountWholeMerges(self.FileMerges));
+    return tree.GetLargestError(tree.CountMergesOfRounds(self.FileMerges));
   }
   catch (...)
   {

@@ -52,6 +52,7 @@ struct PlacedMerge
   std::uint32_t Point = 0;
   std::uint32_t Into = 0;
   std::uint32_t Key = 0; // of the error
+  bool BeginsRound = false;
   bool IsBound = false;
 };
 
@@ -64,11 +65,12 @@ std::uint32_t ToKey(float error)
 constexpr std::uint32_t InfinityKey = 0x7f80;
 
 /** Throws Error(Corrupt) if the merges do not follow from each other. */
-MergeTree MakeTree(std::uint32_t points, std::vector<Merge> merges, std::vector<bool> isBound)
+MergeTree MakeTree(std::uint32_t points, std::vector<Merge> merges, std::vector<bool> isBound,
+  std::vector<std::uint32_t> rounds)
 {
   try
   {
-    return { points, std::move(merges), std::move(isBound) };
+    return { points, std::move(merges), std::move(isBound), std::move(rounds) };
   }
   catch (const Error& error)
   {
@@ -115,7 +117,7 @@ private:
   std::array<BitModel, MostBits + 1> Signs, Seconds;
 };
 
-/** Codes the merges of a block in runs of one error whose points ascend. */
+/** Codes the merges of a block in runs of one round and error whose points ascend. */
 class BlockCoder
 {
 public:
@@ -131,6 +133,7 @@ public:
     for (std::uint32_t key = 0; !merges.empty();)
     {
       const auto more = this->Runs.Code(coder, CountRun(merges) - 1);
+      merges.front().BeginsRound = coder.Bit(this->Rounds, merges.front().BeginsRound) != 0;
       const auto growth = this->Growths.Code(coder, merges.front().Key - key);
       if (more >= merges.size())
       {
@@ -152,7 +155,7 @@ private:
   {
     const auto end = std::adjacent_find(merges.begin(), merges.end(),
       [](const PlacedMerge& a, const PlacedMerge& b)
-      { return a.Key != b.Key || a.Point >= b.Point; });
+      { return b.BeginsRound || a.Key != b.Key || a.Point >= b.Point; });
     return static_cast<std::uint32_t>(end - merges.begin()) + (end == merges.end() ? 0 : 1);
   }
 
@@ -190,7 +193,7 @@ private:
   NumberModel Runs, Growths;
   std::array<NumberModel, 33> Skipped;
   DistanceModel Distances;
-  BitModel Bonds;
+  BitModel Rounds, Bonds;
 };
 
 /** The points that are left when a section begins, ascending. */
@@ -231,6 +234,7 @@ std::vector<PlacedMerge> PlaceMerges(
   std::vector<PlacedMerge> placed;
   PointsLeft left(points);
   std::vector<std::uint32_t> places(points);
+  auto round = tree.GetRounds().begin();
   for (const Block& block : blocks)
   {
     if (left.Begin(block))
@@ -244,7 +248,10 @@ std::vector<PlacedMerge> PlaceMerges(
     {
       const Merge& merge = tree.GetMerges()[i];
       const bool isBound = !tree.GetBonds().empty() && tree.GetBonds()[i];
-      placed.push_back({ places[merge.Point], places[merge.Into], ToKey(merge.Error), isBound });
+      const bool begins = round != tree.GetRounds().end() && *round == i;
+      placed.push_back(
+        { places[merge.Point], places[merge.Into], ToKey(merge.Error), begins, isBound });
+      round += begins ? 1 : 0;
       left.Remove(merge.Point);
     }
   }
@@ -255,6 +262,37 @@ std::vector<PlacedMerge> PlaceMerges(
 std::span<PlacedMerge> GetMerges(std::vector<PlacedMerge>& merges, const Block& block)
 {
   return std::span(merges).subspan(block.First, block.Count);
+}
+
+/** The first merge of each round; none if the first merge begins none. */
+std::vector<std::uint32_t> FindRounds(const std::vector<PlacedMerge>& merges)
+{
+  std::vector<std::uint32_t> rounds;
+  for (std::uint32_t i = 0; i < merges.size() && merges.front().BeginsRound; ++i)
+  {
+    if (merges[i].BeginsRound)
+    {
+      rounds.push_back(i);
+    }
+  }
+  return rounds;
+}
+
+/** The rounds of both; none if they are unknown. */
+std::vector<std::uint32_t> JoinRounds(const MergeTree& first, const MergeTree& rest)
+{
+  const auto isUnknown = [](const MergeTree& tree)
+  { return tree.GetRounds().empty() && !tree.GetMerges().empty(); };
+  if (isUnknown(first) || isUnknown(rest))
+  {
+    return {};
+  }
+  auto rounds = first.GetRounds();
+  for (const auto round : rest.GetRounds())
+  {
+    rounds.push_back(round + static_cast<std::uint32_t>(first.GetMerges().size()));
+  }
+  return rounds;
 }
 
 /** The streams of blocks, with their lengths before them. */
@@ -349,7 +387,8 @@ MergeTree DecodeMerges(
     }
   }
   const bool hasBonds = std::find(isBound.begin(), isBound.end(), true) != isBound.end();
-  return MakeTree(points, std::move(list), hasBonds ? std::move(isBound) : std::vector<bool>());
+  return MakeTree(points, std::move(list), hasBonds ? std::move(isBound) : std::vector<bool>(),
+    FindRounds(placed));
 }
 
 //------------------------------------------------------------------------------
@@ -427,6 +466,6 @@ MergeTree JoinMerges(
     isBound.insert(isBound.end(), rest.GetBonds().begin(), rest.GetBonds().end());
     isBound.resize(merges.size(), false);
   }
-  return MakeTree(points, std::move(merges), std::move(isBound));
+  return MakeTree(points, std::move(merges), std::move(isBound), JoinRounds(first, rest));
 }
 }

@@ -439,7 +439,7 @@ private:
     if (this->Ranks.size() >= this->WindowEnd)
     {
       const auto left = this->Candidates.size() - this->Ranks.size();
-      this->WindowEnd = this->Ranks.size() + std::max<std::size_t>(1, left / WindowsPerRest);
+      this->WindowEnd = this->Ranks.size() + (left > FewLeft ? left / WindowsPerRest : 1);
       this->FirstRank = this->LastRank + 1;
     }
     const auto rank = std::max(this->FirstRank, this->NextRank[point]);
@@ -497,8 +497,10 @@ private:
   std::vector<Merge> Merges;
   double Change = 0; // of all merges
 
-  /** Ranks are counted anew after so large a part of the points that are left. */
+  /** Ranks are counted anew after so large a part of the points that are left, and for each merge
+   * of few. */
   static constexpr std::size_t WindowsPerRest = 12;
+  static constexpr std::size_t FewLeft = 4096;
   std::vector<double> Changes;        // by each merge
   std::vector<std::uint32_t> Ranks;   // of merges
   LargeArray<std::uint32_t> NextRank; // of a merge of each point, at least

@@ -80,12 +80,21 @@ void MergeTree::CheckRounds() const
 //------------------------------------------------------------------------------
 std::size_t MergeTree::CountMergesOfRounds(std::size_t merges) const
 {
-  if (this->Rounds.empty() || merges >= this->Merges.size())
+  const auto all = this->Merges.size();
+  if (merges >= all)
   {
-    return this->CountWholeMerges(merges);
+    return all;
   }
-  const auto next = std::upper_bound(this->Rounds.begin(), this->Rounds.end(), merges);
-  return *std::prev(next);
+  if (!this->Rounds.empty())
+  {
+    const auto next = std::lower_bound(this->Rounds.begin(), this->Rounds.end(), merges);
+    return next == this->Rounds.end() ? all : *next;
+  }
+  while (merges > 0 && !this->IsBound.empty() && this->IsBound[merges - 1])
+  {
+    ++merges;
+  }
+  return merges;
 }
 
 //------------------------------------------------------------------------------
@@ -103,7 +112,7 @@ std::size_t MergeTree::CountWholeMerges(std::size_t merges) const
 std::size_t MergeTree::CountMergesForPoints(std::uint64_t pointsLeft) const
 {
   const std::uint64_t gone = this->Points - std::min<std::uint64_t>(pointsLeft, this->Points);
-  return std::min<std::size_t>(gone, this->Merges.size());
+  return this->CountMergesOfRounds(static_cast<std::size_t>(gone));
 }
 
 //------------------------------------------------------------------------------
@@ -164,7 +173,7 @@ MergeTree SortRounds(const MergeTree& tree, std::span<const std::uint32_t> numbe
     for (auto merge : groups)
     {
       bool goesOn = true;
-      for (; goesOn; ++merge)
+      for (; goesOn && merge < end; ++merge)
       {
         goesOn = !isBound.empty() && isBound[merge];
         merges.push_back(all[merge]);

@@ -59,15 +59,16 @@ public:
   /** The first merge of each round. Empty: unknown. */
   const std::vector<std::uint32_t>& GetRounds() const { return this->Rounds; }
 
-  /** Returns the largest number of merges, not above a given one, that separates no merges of a
-   * round, nor such that belong together. */
+  /** Returns the smallest number of merges, not below a given one, that separates no merges of a
+   * round, or, if rounds are unknown, none that belong together. */
   std::size_t CountMergesOfRounds(std::size_t merges) const;
 
   /** Returns the largest number of merges, not above a given one, that separates no merges that
    * belong together. Otherwise seams of a surface would open. */
   std::size_t CountWholeMerges(std::size_t merges) const;
 
-  /** Returns the number of merges that leave a given number of points, or all merges. */
+  /** Returns the number of merges of whole rounds that leave a given number of points, or somewhat
+   * fewer, or all merges. */
   std::size_t CountMergesForPoints(std::uint64_t pointsLeft) const;
 
   /** Returns the largest error of a given number of first merges. */

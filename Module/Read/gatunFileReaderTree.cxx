@@ -144,7 +144,7 @@ MergeTree FileReader::Internals::ReadMerges(std::size_t part) const
       });
     if (where.Points != points) // others come last and are never merged
     {
-      tree = MergeTree(points, tree.GetMerges());
+      tree = MergeTree(points, tree.GetMerges(), {}, tree.GetRounds());
     }
   }
   if (where.Map.Length == 0)

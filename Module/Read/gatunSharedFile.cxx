@@ -212,7 +212,7 @@ SharedFile::Place SharedFile::Find(std::size_t merges, bool withBaseMeshes)
     return { level.File, nullptr, 0 };
   }
   const auto& tree = this->GetTree(level);
-  const auto whole = more < tree->GetMerges().size() ? tree->CountWholeMerges(more) : more;
+  const auto whole = more < tree->GetMerges().size() ? tree->CountMergesOfRounds(more) : more;
   return { level.File, whole > 0 ? tree : nullptr, whole };
 }
 

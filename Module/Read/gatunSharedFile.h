@@ -60,8 +60,8 @@ public:
     std::size_t Merges = 0;                 ///< the merges to apply
   };
 
-  /** The coarsest base mesh from which a number of merges can be reached, or the file itself. In a
-   * surface, merges that belong together are not separated: some of the last ones may be left out.
+  /** The coarsest base mesh from which a number of merges can be reached, or the file itself.
+   * Merges of a round, and those that belong together, are not separated: there may be some more.
    * Throws InvalidInput if there are merges and no hierarchy. */
   Place Find(std::size_t merges, bool withBaseMeshes = true);
 

@@ -185,8 +185,17 @@ std::optional<MergeTree> BoundaryMesh::MakeTree(const MergeTree& whole) const
     places[this->Points[i]] = i;
   }
   std::vector<Merge> merges;
-  for (const Merge& merge : whole.GetMerges())
+  std::vector<std::uint32_t> rounds;
+  auto round = whole.GetRounds().begin();
+  bool begins = false;
+  for (std::uint32_t i = 0; i < whole.GetMerges().size(); ++i)
   {
+    const Merge& merge = whole.GetMerges()[i];
+    if (round != whole.GetRounds().end() && *round == i)
+    {
+      begins = true;
+      ++round;
+    }
     if (places[merge.Point] == none)
     {
       continue;
@@ -195,9 +204,14 @@ std::optional<MergeTree> BoundaryMesh::MakeTree(const MergeTree& whole) const
     {
       return {};
     }
+    if (std::exchange(begins, false))
+    {
+      rounds.push_back(static_cast<std::uint32_t>(merges.size()));
+    }
     merges.push_back({ places[merge.Point], places[merge.Into], merge.Error });
   }
-  return MergeTree(static_cast<std::uint32_t>(this->Points.size()), std::move(merges));
+  return MergeTree(
+    static_cast<std::uint32_t>(this->Points.size()), std::move(merges), {}, std::move(rounds));
 }
 
 //------------------------------------------------------------------------------

@@ -137,8 +137,7 @@ void FileWriter::Internals::BeginLevels(const Progress& progress)
   for (unsigned i = 0; i < options.Levels && cells > SmallLevel; ++i)
   {
     points = (points + 1) / 2;
-    const auto merges = static_cast<std::uint32_t>(
-      options.Tree->CountMergesOfRounds(options.Tree->CountMergesForPoints(points)));
+    const auto merges = static_cast<std::uint32_t>(options.Tree->CountMergesForPoints(points));
     if (merges == 0 || (!this->Merges.empty() && merges <= this->Merges.back()))
     {
       return;

@@ -98,9 +98,8 @@ bool PartLevels::IsComplete() const
 //------------------------------------------------------------------------------
 void PartLevels::Add(std::uint32_t merges, const Progress& progress)
 {
-  const auto most = this->Levels.empty()
-    ? LargestFirst * static_cast<double>(this->Whole.Meta.Tets)
-    : LargestStep * static_cast<double>(this->CountCells());
+  const auto most = this->Levels.empty() ? LargestFirst * static_cast<double>(this->Whole.Meta.Tets)
+                                         : LargestStep * static_cast<double>(this->CountCells());
   if (!this->IsComplete() && static_cast<double>(this->Merges.CountTets()) <= most)
   {
     this->Write(
@@ -113,8 +112,8 @@ void PartLevels::Add(std::uint32_t merges, const Progress& progress)
 //------------------------------------------------------------------------------
 void PartLevels::AddRest(const MergeTree& tree, const Progress& progress)
 {
-  std::uint64_t points = this->Levels.empty() ? (this->Whole.Meta.Points + 3) / 4
-                                              : this->Levels.back().Points.size();
+  std::uint64_t points =
+    this->Levels.empty() ? (this->Whole.Meta.Points + 3) / 4 : this->Levels.back().Points.size();
   while (!this->IsComplete())
   {
     points = (points + 1) / 2;
@@ -202,8 +201,9 @@ void PartLevels::List(std::vector<MeshOfTree>& meshes) const
 {
   for (const Level& level : this->Levels)
   {
-    meshes.push_back({ level.Merges, level.Points,
-      [&level](MergeTree tree) -> TreeSection& { return level.File->BeginTree(std::move(tree)); } });
+    meshes.push_back({ level.Merges, level.Points, [&level](MergeTree tree) -> TreeSection& {
+                        return level.File->BeginTree(std::move(tree));
+                      } });
   }
 }
 

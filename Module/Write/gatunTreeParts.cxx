@@ -37,8 +37,18 @@ MergeTree TakeRest(const MergeTree& tree, const MeshOfTree& mesh)
   }
   const auto& bonds = tree.GetBonds();
   const auto skipped = std::min<std::size_t>(mesh.FirstMerge, bonds.size());
+  std::vector<std::uint32_t> rounds;
+  for (const auto round : tree.GetRounds())
+  {
+    if (round >= mesh.FirstMerge)
+    {
+      rounds.push_back(round - mesh.FirstMerge);
+    }
+  }
+  const bool isWhole = !rounds.empty() && rounds.front() == 0;
   return { static_cast<std::uint32_t>(mesh.Points.size()), std::move(rest),
-    std::vector<bool>(bonds.begin() + static_cast<std::ptrdiff_t>(skipped), bonds.end()) };
+    std::vector<bool>(bonds.begin() + static_cast<std::ptrdiff_t>(skipped), bonds.end()),
+    isWhole ? std::move(rounds) : std::vector<std::uint32_t>() };
 }
 
 /** The numbers in a base mesh of those points of the mesh before that it has, in their order. */

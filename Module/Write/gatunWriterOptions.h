@@ -48,9 +48,9 @@ struct WriterOptions
    * million tetrahedra. */
   bool Dependencies = false;
 
-  /** The maximum number of base meshes to store: with an eighth of the points, or with half of those
-   * of a surface, and each further one with half, down to some 20,000 tetrahedra or cells of a
-   * surface. Base meshes need a tree. */
+  /** The maximum number of base meshes to store: with an eighth of the points, or with half of
+   * those of a surface, and each further one with half, down to some 20,000 tetrahedra or cells of
+   * a surface. Base meshes need a tree. */
   unsigned Levels = 0;
 
   /** If not empty, the numbers of merges that lead to base meshes, ascending, in place of Levels.

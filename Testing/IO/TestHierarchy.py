@@ -40,8 +40,9 @@ gm.write(grid, kept, KeepOrder=7, ChunkSize=1000, Hierarchy=True)
 gm.write(grid, plain, ChunkSize=1000, Hierarchy=True)
 gm.write(grid, levels, ChunkSize=1000, Hierarchy=True, Levels=9)
 
-# Dependencies between merges are stored with them.
-writer = gm.write(grid, plain, ChunkSize=1000, Hierarchy=True)
+# Dependencies between merges are stored if they are asked for.
+assert gm.statistic(gm.write(grid, plain, ChunkSize=1000, Hierarchy=True), "DependencyBytes") == 0
+writer = gm.write(grid, plain, ChunkSize=1000, Hierarchy=2)
 assert gm.statistic(writer, "DependencyBytes") > 0
 parts = ("Connectivity", "Geometry", "Order", "Array", "FieldData", "Hierarchy", "Dependency",
          "Level", "Boundary", "Directory")
@@ -50,7 +51,7 @@ alone = gm.temporary("alone.gtn")
 assert gm.statistic(gm.write(grid, alone, ChunkSize=1000), "DependencyBytes") == 0  # there is no hierarchy
 
 # The error goes before the number of points, and that before the ratio.
-assert simplified(SimplificationRatio=0.9, SimplificationNumberOfPoints=700).GetNumberOfPoints() == 700
+assert 600 < simplified(SimplificationRatio=0.9, SimplificationNumberOfPoints=700).GetNumberOfPoints() <= 700
 by_error = simplified(SimplificationRMSError=0.004)
 both = simplified(SimplificationRatio=0.9, SimplificationNumberOfPoints=700, SimplificationRMSError=0.004)
 gm.assert_same_mesh(both, by_error)

@@ -77,7 +77,7 @@ content = unpack(container.data[places[b"TREE"]], table_limit)
 assert bytes.fromhex("".join(rows)) == content and "TREE, %d bytes" % len(content) in of_tree
 dumps = [bytes.fromhex(dump) for dump in re.findall(r"`([0-9a-f \n]{20,})`", of_tree)]
 assert dumps[0] == unpack(container.data[places[b"TRNG"]], step_limit)
-assert dumps[1] == container.stream(container.tree.stream)
+assert dumps[1] == container.stream(container.tree.parts[0].stream)
 sentence = re.search(r"The merges: (.*?)\.\n", of_tree)[1]
 merges = decode_merges(dumps[1], 5, 2)
 assert ", ".join("%d %d (%g)" % merge for merge in merges) == sentence
@@ -93,7 +93,7 @@ assert decoder.after(2).kept == [1, 2, 3] and len(decoder.after(2).tets) == 0
 with open(os.path.join(data, "Golden", "seam.gtn"), "rb") as file:
     decoder = Decoder(file.read())
 stream = bytes.fromhex(re.search(r"`([0-9a-f \n]{20,})`", of_seam)[1])
-assert stream == decoder.container.stream(decoder.container.tree.stream)
+assert stream == decoder.container.stream(decoder.container.tree.parts[0].stream)
 bonds = []
 merges = decode_merges(stream, 8, 3, bonds)
 assert merges == decoder.merges and bonds == [1, 0, 0]
@@ -107,7 +107,7 @@ assert len(decoder.after(2).tets) == 2 and len(decoder.after(3).tets) == 1
 with open(os.path.join(data, "Golden", "two_tets.gtn"), "rb") as file:
     decoder = Decoder(file.read())
 stream = bytes.fromhex(re.search(r"`([0-9a-f \n]{20,})`", of_dependencies)[1])
-assert stream == decoder.container.tree.dependencies
+assert stream == decoder.container.stream(decoder.container.tree.parts[0].dependencies)
 assert "DEPS, %d bytes" % len(stream) in of_dependencies
 assert decoder.merges == merges_of_tets and decoder.dependencies == [[], [0]]
 

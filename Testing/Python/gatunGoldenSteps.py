@@ -96,7 +96,7 @@ def moving_points(_):
 def hierarchy_of_moving_points(_):
     """With a boundary."""
     return moving_grids(3, np.float32, (None,) * 4, unused=0), {
-        "Hierarchy": True, "WriteBoundary": True, "KeyStepInterval": 2, "ChunkSize": 64, "KeepOrder": 7}
+        "Hierarchy": 2, "WriteBoundary": True, "KeyStepInterval": 2, "ChunkSize": 64, "KeepOrder": 7}
 
 
 def lattice(rng, n):
@@ -140,7 +140,7 @@ def series_of_hierarchies(rng):
         if n == 2:
             points = points + 0.5 * (step > 0)
         grids.append(fill(gm.make_grid(single(points), tets), points, step))
-    return grids, {"Hierarchy": True, "WriteBoundary": True}
+    return grids, {"Hierarchy": 2, "WriteBoundary": True}
 
 
 FRONTS = (0, 0.2, 0.4, 0.3, 0, 0.4, 0.4)

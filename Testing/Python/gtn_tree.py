@@ -102,13 +102,14 @@ def block_sizes(points, merges):
 
 
 def decode_block(data, count, left, bonds):
-    """Quadruples of two places among the points left, and key, of the merges of a block."""
+    """Of each merge of a block: two places among the points left, key, whether it begins a round."""
     coded = Coded(Bytes(data))
     distances = Distances(coded)
     key = 0
     result = []
     while len(result) < count:
         run = 1 + coded.large("run")
+        begins = coded.decide("round")
         key += coded.large("growth")
         require(run <= count - len(result), "run of merges")
         require(key <= INFINITY_KEY, "key of a merge")
@@ -117,7 +118,8 @@ def decode_block(data, count, left, bonds):
             place += 1 + coded.large("skipped", (left // run).bit_length())
             d = distances.next()
             require(place < left and 0 <= place + d < left, "place of a point")
-            result.append((place, place + d, key))
+            result.append((place, place + d, key, begins))
+            begins = 0
             if bonds is not None:
                 bonds.append(coded.decide("bond"))
     return result
@@ -137,7 +139,7 @@ def decode_merges(stream, points, merges, bonds=None):
     for (count, in_section), length in zip(blocks, lengths):
         if len(left) != in_section:
             left = [point for point in left if point not in gone]
-        for place, into, key in decode_block(table.take(length), count, in_section, bonds):
+        for place, into, key, _ in decode_block(table.take(length), count, in_section, bonds):
             point, into = left[place], left[into]
             require(point != into and point not in gone and into not in gone, "merge of no point")
             require(key >= last, "errors do not ascend")

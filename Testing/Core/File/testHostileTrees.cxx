@@ -6,12 +6,12 @@
 #include "gatunEntropy.h"
 #include "gatunHostileTrees.h"
 #include "gatunNumberModel.h"
-#include "gatunResidual.h"
 #include "gatunTableParts.h"
 
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <random>
@@ -177,16 +177,32 @@ Bytes EncodeAnything(std::uint32_t points, const std::vector<CodedMerge>& merges
   EntropyEncoder coder;
   NumberModel runs, growths;
   std::array<NumberModel, 33> skipped;
-  ResidualModel distances;
-  RunningSpread spread;
+  std::array<BitTree<6>, 9> lengths;
+  std::array<BitModel, 34> signs, seconds;
+  unsigned before = 0;
   for (const auto& merge : merges)
   {
     runs.Code(coder, merge.More);
     growths.Code(coder, merge.Growth);
     skipped[static_cast<std::size_t>(std::bit_width(points / (merge.More + 1)))].Code(
       coder, merge.Place);
-    distances.Code(coder, spread.Get(), merge.Distance);
-    spread.Add(merge.Distance);
+    const auto magnitude = static_cast<std::uint64_t>(std::abs(merge.Distance));
+    const auto length = static_cast<unsigned>(std::bit_width(magnitude));
+    lengths[before / 4].Code(coder, length);
+    if (length > 33)
+    {
+      break;
+    }
+    before = length;
+    if (length > 0)
+    {
+      coder.Bit(signs[length], merge.Distance < 0);
+    }
+    if (length > 1)
+    {
+      coder.Bit(seconds[length], (magnitude >> (length - 2) & 1) != 0);
+      coder.Raw(magnitude & ((std::uint64_t{ 1 } << (length - 2)) - 1), length - 2);
+    }
   }
   const auto block = coder.Finish();
   ByteWriter out;
@@ -199,7 +215,8 @@ TEST(HostileTrees, MergesMustFollowFromEachOther)
 {
   const auto points =
     static_cast<std::uint32_t>(GetGoodImage().Meta.Points - GetGoodImage().Meta.UnusedPoints);
-  constexpr auto farthest = std::numeric_limits<std::int64_t>::min();
+  constexpr auto far = std::int64_t{ 1 } << 33;
+  const std::string tooFar = "a distance of points is longer than 33 bits";
   const std::string follow = "the merges of points do not follow from each other";
   const std::string missing = "a point is merged into one that does not exist";
   const std::string errors = "the errors of merges do not ascend";
@@ -208,8 +225,10 @@ TEST(HostileTrees, MergesMustFollowFromEachOther)
     { follow, { { 3, 1, 0 }, { 0, 3, 0 } } },                           // into one that is gone
     { missing, { { 3, -4, 0 }, { 0, 1, 0 } } },                         // before the first
     { missing, { { 3, std::int64_t{ points } - 3, 0 }, { 0, 1, 0 } } }, // the first unused one
-    { missing, { { 3, farthest, 0 }, { 0, 1, 0 } } },
-    { missing, { { 3, -(farthest + 1), 0 }, { 0, 1, 0 } } },
+    { missing, { { 3, far - 1, 0 }, { 0, 1, 0 } } },
+    { missing, { { 3, 1 - far, 0 }, { 0, 1, 0 } } },
+    { tooFar, { { 3, far, 0 }, { 0, 1, 0 } } },
+    { tooFar, { { 3, std::numeric_limits<std::int64_t>::max(), 0 }, { 0, 1, 0 } } },
     { "there are too many merges of one error", { { 3, 1, 0, 2 }, { 0, 1, 0 } } },
     { errors, { { 3, 1, 0x7f81 }, { 0, 1, 0 } } }, // a NaN
     { errors, { { 3, 1, 0x7f80 }, { 0, 1, 1 } } },

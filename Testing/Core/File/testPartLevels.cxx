@@ -33,16 +33,16 @@ PartWriterOptions MakeLevelSettings(std::uint64_t tetsOfGroup)
   return options;
 }
 
-/** 105,456 tetrahedra, and points that none of them has. */
+/** 196,608 tetrahedra, and points that none of them has. */
 PartMesh MakeLevelParts()
 {
-  auto cubes = MakeCubes(26, 0.2);
+  auto cubes = MakeCubes(32, 0.2);
   cubes.Coordinates.insert(cubes.Coordinates.end(), { 50, 0, 0, 51, 0, 0 });
   return MakePartMesh(cubes);
 }
 
 std::string WriteLevels(const std::string& name, const PartMesh& mesh, std::size_t parts,
-  const PartWriterOptions& options, int steps = StepsOfLevels, double height = 26)
+  const PartWriterOptions& options, int steps = StepsOfLevels, double height = 32)
 {
   const auto path = TempPath(name);
   WriteParts(path, Divide(mesh, parts, DealSlabs(mesh, parts, height)), options, steps);
@@ -70,11 +70,12 @@ void ExpectWhatIsLeft(const std::string& path, std::size_t steps = StepsOfLevels
   }
 }
 
-/** How many base meshes there are, of which each one has about half of the points. */
+/** How many base meshes there are, the first with about an eighth of the points, and each further
+ * one with half. */
 std::size_t CountHalves(const std::string& path)
 {
   const FileReader file(path);
-  auto before = static_cast<double>(file.GetNumberOfPoints());
+  auto before = static_cast<double>(file.GetNumberOfPoints()) / 4;
   for (const auto merges : file.GetLevels())
   {
     const auto left = static_cast<double>(file.GetNumberOfPoints() - merges);
