@@ -350,9 +350,12 @@ class LibraryWriting(unittest.TestCase):
                 expected = np.sort(points[tets[grid.cell_data["id"]]].view("f8,f8,f8")[..., 0], axis=1)
                 np.testing.assert_array_equal(corners, expected)
                 require_same_fields(grid.field_data, {"a": np.array([1, 2])})
-        gatun.write_parts(path, Parts(), times=times, overwrite=True, hierarchy=True)
+        gatun.write_parts(path, Parts(), times=times, overwrite=True, levels=2, boundary=True)
         with gatun.open(path) as file:
             file.verify()
+            boundary = file.read(step=1, boundary=True)
+            self.assertEqual(len(boundary.offsets) - 1, 12 * 11 * 11)  # triangles
+            require_equal(boundary.point_data["v"], boundary.points + times[1])
             grid = file.read(step=1, ratio=0.9)
             self.assertLess(len(grid.points), len(points) / 8)
             require_equal(grid.point_data["v"], grid.points + times[1])
