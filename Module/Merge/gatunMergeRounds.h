@@ -19,6 +19,7 @@
 #include <memory>
 #include <numeric>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace gatun
@@ -148,6 +149,8 @@ public:
 private:
   /** Fewer points than this are evaluated by one thread. */
   static constexpr std::size_t FewestInParallel = 64;
+
+  static constexpr bool IsOfTets = std::tuple_size_v<typename MeshType::Cell> == 4;
 
   enum class State : std::uint8_t
   {
@@ -379,9 +382,14 @@ private:
     this->FindAll(this->Outdated);
   }
 
-  /** Loads what the merges of the next points change into the cache of the processor. */
+  /** Loads what the merges of the next points change into the cache of the processor. Triangles
+   * around points are few, and asking for them takes longer than to wait. */
   void PrefetchMerges(const std::vector<std::uint32_t>& points, std::size_t i) const
   {
+    if constexpr (!IsOfTets)
+    {
+      return;
+    }
     const std::size_t last = points.size() - 1;
     this->Mesh.PrefetchRing(points[std::min(i + 6, last)]);
     this->Mesh.PrefetchCells(points[std::min(i + 4, last)]);
@@ -414,7 +422,10 @@ private:
     {
       for (const auto corner : this->Mesh.GetCell(cell))
       {
-        this->Mesh.PrefetchRing(corner);
+        if constexpr (IsOfTets)
+        {
+          this->Mesh.PrefetchRing(corner);
+        }
         this->Touch(this->Candidates[corner], corner, number);
         this->NextRank[corner] = std::max(this->NextRank[corner], rank + 1);
         if (this->PartAtOnce > 0)
