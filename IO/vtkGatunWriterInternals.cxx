@@ -456,7 +456,7 @@ void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
   gatun::PartWriterOptions options;
   options.File = this->MakeOptions(nullptr, {});
   options.File.Levels = owner->Hierarchy ? static_cast<unsigned>(owner->Levels) : 0;
-  options.File.Dependencies = owner->Hierarchy;
+  options.File.Dependencies = owner->Hierarchy == vtkGatunWriter::HIERARCHY_WITH_DEPENDENCIES;
   this->Pieces = std::make_unique<gatun::GridPieces>(
     owner->FileName ? owner->FileName : "", options,
     [this](vtkUnstructuredGrid* piece) { return this->SelectArrays(piece); },

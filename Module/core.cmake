@@ -102,7 +102,11 @@ gatun_set_options(-Os
   Format/gatunSeriesTable.cxx
   Format/gatunSurfaceTable.cxx
   Merge/gatunDependencyCheck.cxx
+  Merge/gatunDependencyCodec.cxx
+  Merge/gatunMergeCodec.cxx
   Merge/gatunMergeInputCheck.cxx
+  Merge/gatunMergeRanks.cxx
+  Merge/gatunMergeTree.cxx
   Merge/gatunSimplifyTarget.cxx
   Parts/gatunBrickBuilder.cxx
   Parts/gatunBrickDivision.cxx
@@ -113,6 +117,8 @@ gatun_set_options(-Os
   Read/gatunFileReaderBoundary.cxx
   Read/gatunFileReaderLayers.cxx
   Read/gatunFileReaderSeries.cxx
+  Read/gatunFileReaderTree.cxx
+  Read/gatunSharedFile.cxx
   Read/gatunVerifyFile.cxx
   Write/gatunBaseMesh.cxx
   Write/gatunBoundaryMerge.cxx
@@ -120,6 +126,7 @@ gatun_set_options(-Os
   Write/gatunCellSubset.cxx
   Write/gatunFileWriter.cxx
   Write/gatunFileWriterSeries.cxx
+  Write/gatunFileWriterTree.cxx
   Write/gatunMeshMerges.cxx
   Write/gatunPartAgreement.cxx
   Write/gatunPartAssembly.cxx
@@ -132,6 +139,7 @@ gatun_set_options(-Os
   Write/gatunPartWriter.cxx
   Write/gatunPointNumbers.cxx
   Write/gatunStepTables.cxx
+  Write/gatunTreeParts.cxx
   Write/gatunTreeSection.cxx
   Write/gatunWriterCheck.cxx
   Write/gatunWriterPart.cxx

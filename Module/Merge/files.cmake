@@ -27,6 +27,7 @@ gatun_core_folder(Merge
     gatunMergeMesh.h
     gatunMergeOrder.h
     gatunMergeQueue.h
+    gatunMergeRanks.h
     gatunMergeRange.h
     gatunMergeRings.h
     gatunMergeRounds.h
@@ -49,6 +50,7 @@ gatun_core_folder(Merge
     gatunMergeLinks.cxx
     gatunMergeMesh.cxx
     gatunMergeOrder.cxx
+    gatunMergeRanks.cxx
     gatunMergeRings.cxx
     gatunMergeStar.cxx
     gatunMergeTree.cxx

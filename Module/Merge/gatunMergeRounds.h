@@ -7,6 +7,7 @@
 #include "gatunLargeArray.h"
 #include "gatunMergeChoice.h"
 #include "gatunMergeQueue.h"
+#include "gatunMergeRanks.h"
 #include "gatunMergeTree.h"
 #include "gatunParallel.h"
 
@@ -17,7 +18,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <numeric>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -68,7 +68,7 @@ public:
     , Mesh(mesh)
     , Workers(workers)
     , Candidates(mesh.GetNumberOfPoints())
-    , NextRank(mesh.GetNumberOfPoints(), 0)
+    , Ranks(mesh.GetNumberOfPoints())
     , PartAtOnce(partAtOnce)
     , Changed(partAtOnce > 0 ? mesh.GetNumberOfPoints() : 0, 0)
   {
@@ -106,16 +106,8 @@ public:
     return candidate.Is == State::Queued ? MergeHint{ candidate.Into, candidate.Key } : MergeHint{};
   }
 
-  /** Merges that do not depend on each other follow each other in groups. */
-  struct Result
-  {
-    std::vector<Merge> Merges;
-    std::vector<std::uint32_t> Order;  ///< when each merge was done, from 0
-    std::vector<std::uint32_t> Groups; ///< the first merge of each group
-  };
-
   /** Merges all that can be merged. */
-  Result Run()
+  RankedMerges Run()
   {
     for (bool any = true; any;)
     {
@@ -131,7 +123,7 @@ public:
       any = this->Merges.size() > before;
     }
     this->Report(1);
-    return this->Arrange();
+    return this->Ranks.Arrange(this->Merges, CostsType::ChangePerError);
   }
 
   /** Merges what has a key below a limit. To be called once. */
@@ -415,9 +407,8 @@ private:
       this->OnMerge(this->Merges.back(), key, merged.Change);
     }
     merged.Is = State::Gone;
-    this->Changes.push_back(merged.Change);
     const auto number = static_cast<std::uint32_t>(this->Merges.size());
-    const auto rank = this->Rank(point);
+    const auto rank = this->Ranks.Add(point, merged.Change);
     for (const auto cell : this->Mesh.GetRing(point))
     {
       for (const auto corner : this->Mesh.GetCell(cell))
@@ -427,7 +418,7 @@ private:
           this->Mesh.PrefetchRing(corner);
         }
         this->Touch(this->Candidates[corner], corner, number);
-        this->NextRank[corner] = std::max(this->NextRank[corner], rank + 1);
+        this->Ranks.Touch(corner, rank);
         if (this->PartAtOnce > 0)
         {
           this->Changed[corner] = this->Batch;
@@ -441,47 +432,6 @@ private:
         0.79 * static_cast<double>(this->Merges.size()) /
           static_cast<double>(this->Candidates.size()));
     }
-  }
-
-  /** Finds the rank of the next merge, that of a point: merges of the same rank do not depend on
-   * each other. Ranks ascend from window to window. */
-  std::uint32_t Rank(std::uint32_t point)
-  {
-    if (this->Ranks.size() >= this->WindowEnd)
-    {
-      const auto left = this->Candidates.size() - this->Ranks.size();
-      this->WindowEnd = this->Ranks.size() + (left > FewLeft ? left / WindowsPerRest : 1);
-      this->FirstRank = this->LastRank + 1;
-    }
-    const auto rank = std::max(this->FirstRank, this->NextRank[point]);
-    this->LastRank = std::max(this->LastRank, rank);
-    this->Ranks.push_back(rank);
-    return rank;
-  }
-
-  /** Sorts the merges by their ranks. */
-  Result Arrange()
-  {
-    Result result;
-    result.Order.resize(this->Merges.size());
-    std::iota(result.Order.begin(), result.Order.end(), 0u);
-    std::stable_sort(result.Order.begin(), result.Order.end(),
-      [this](std::uint32_t a, std::uint32_t b) { return this->Ranks[a] < this->Ranks[b]; });
-    result.Merges.reserve(this->Merges.size());
-    std::uint32_t last = 0;
-    double change = 0;
-    for (const auto one : result.Order)
-    {
-      if (result.Merges.empty() || this->Ranks[one] != last)
-      {
-        result.Groups.push_back(static_cast<std::uint32_t>(result.Merges.size()));
-      }
-      last = this->Ranks[one];
-      change += this->Changes[one];
-      result.Merges.push_back({ this->Merges[one].Point, this->Merges[one].Into,
-        static_cast<float>(std::sqrt(change) / CostsType::ChangePerError) });
-    }
-    return result;
   }
 
   /** Something around a point has changed by a merge. Called for each cell of the point. */
@@ -508,16 +458,7 @@ private:
   std::vector<Merge> Merges;
   double Change = 0; // of all merges
 
-  /** Ranks are counted anew after so large a part of the points that are left, and for each merge
-   * of few. */
-  static constexpr std::size_t WindowsPerRest = 12;
-  static constexpr std::size_t FewLeft = 4096;
-  std::vector<double> Changes;        // by each merge
-  std::vector<std::uint32_t> Ranks;   // of merges
-  LargeArray<std::uint32_t> NextRank; // of a merge of each point, at least
-  std::size_t WindowEnd = 0;
-  std::uint32_t FirstRank = 0; // of the window
-  std::uint32_t LastRank = 0;
+  MergeRanks Ranks;
 
   const double PartAtOnce;
   LargeArray<std::uint32_t> Changed; // the last batch that had a merge around each point

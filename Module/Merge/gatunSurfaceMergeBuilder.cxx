@@ -20,8 +20,7 @@ namespace
 using SurfaceRounds = MergeRounds<MergeSurface, SurfaceCosts>;
 
 /** The first pair of points of each merge of places, in the order in which they were done. */
-std::vector<std::size_t> FindFirstPairs(
-  const SurfaceRounds::Result& merged, const MergeSurface& mesh)
+std::vector<std::size_t> FindFirstPairs(const RankedMerges& merged, const MergeSurface& mesh)
 {
   std::vector<std::size_t> counts(merged.Merges.size());
   for (std::size_t i = 0; i < counts.size(); ++i)
@@ -33,8 +32,7 @@ std::vector<std::size_t> FindFirstPairs(
 }
 
 /** The merges of points that are those of their places. */
-MergeTree MakeTree(
-  const LocalMergeInput<3>& local, SurfaceRounds::Result merged, const MergeSurface& mesh)
+MergeTree MakeTree(const LocalMergeInput<3>& local, RankedMerges merged, const MergeSurface& mesh)
 {
   std::vector<Merge> all;
   std::vector<bool> isBound;

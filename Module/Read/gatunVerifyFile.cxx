@@ -147,21 +147,13 @@ void VerifyDependencies(const std::shared_ptr<const FileReader>& file, const Mer
   }
 }
 
-/** Decodes the merges, and throws if a base mesh separates some that belong together. */
+/** Decodes the merges and their dependencies. */
 void VerifyTree(const FileReader& file, const std::function<bool(double)>& progress)
 {
   const MergeTree tree = file.GetMergeTree();
   if (file.HasDependencies())
   {
     VerifyDependencies(Borrow(file), tree, progress);
-  }
-  for (const auto merges : file.GetLevels())
-  {
-    if (tree.CountWholeMerges(merges) != merges)
-    {
-      InternalsOf(file).File.Fail(
-        ErrorCode::Corrupt, "a base mesh separates merges that belong together");
-    }
   }
 }
 

@@ -54,7 +54,7 @@ void CheckOptions(
   const PartWriterOptions& all, const std::vector<ArrayDescription>& arrays, bool isAlone)
 {
   const WriterOptions& options = all.File;
-  if (options.Tree)
+  if (options.Tree || !options.LevelMerges.empty())
   {
     ThrowInvalid("the merges of a mesh in parts cannot be given, but are found from weights");
   }

@@ -25,7 +25,7 @@ BLOCK = 65536
 
 enter_folder("web")
 random = np.random.default_rng(1)
-points, tets = lattice(28)
+points, tets = lattice(33)
 arrays = {name: random.normal(size=len(points)) for name in ("a", "b", "c")}
 arrays["x"] = points[:, 0]
 write(make_grid(points, tets, arrays), "mesh.vtu")

@@ -207,11 +207,6 @@ for step, time in [(0, 0.0), (2, 2.5), (1, 1.0)]:
     reader.UpdateTimeStep(time)
     assert faces(reader.GetOutput()) == faces(surface_of(made[step])), step
 
-# The way of pieces, of which this input has one.
-path = gm.temporary("boundary-pieces.gtn")
-gm.write(made[0], path, WriteBoundary=True, NumberOfPieces=2)
-assert faces(read(path).GetOutput()) == faces(surface_of(made[0]))
-
 # What has none is refused, and nothing is left behind.
 vtkObject.GlobalWarningDisplayOff()
 writer = vtkGatunWriter()

@@ -9,6 +9,7 @@ import os
 import numpy as np
 from vtkmodules.util import vtkConstants as c
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridWriter
 
 import gatunMeshes as gm
@@ -44,6 +45,15 @@ gm.assert_same_mesh(gm.read(path), whole)
 assert gm.statistic(writer, "Points") == whole.GetNumberOfPoints()
 assert gm.statistic(writer, "Cells") == whole.GetNumberOfCells()
 assert gm.statistic(writer, "FileBytes") == os.path.getsize(path)
+
+# The boundary is that of the whole.
+_, messages = write(source, WriteBoundary=True)
+assert not messages, messages
+boundary = gm.read(path, LargeMesh=1)
+surface = vtkDataSetSurfaceFilter()
+surface.SetInputData(whole)
+surface.Update()
+assert boundary.GetNumberOfCells() == surface.GetOutput().GetNumberOfCells() > 0
 
 # The points to join by an array of numbers: a number of -1 is that of a point of this piece alone.
 numbered = gm.block(n=7)

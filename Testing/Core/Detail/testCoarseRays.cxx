@@ -306,13 +306,13 @@ TEST_P(CoarseRays, DetailComesFromWhatIsNearest)
     const auto source = detail.MakeLevel({ wanted, {} }, {}).Source;
     std::vector<std::size_t> order(source->GetNumberOfBlocks());
     std::iota(order.begin(), order.end(), std::size_t{ 0 });
-    const auto left = this->Simplify(points - wanted);
+    const auto left = this->Simplify(this->Tree.CountMergesOfRounds(points - wanted));
     EXPECT_EQ(GetContent(*source, order), GetContent(left)) << wanted;
     const auto estimate = static_cast<double>(detail.EstimateTets(wanted));
     EXPECT_NEAR(estimate, static_cast<double>(left.Tets.size()), 0.5 * estimate + 50);
   }
   // From a base mesh fewer chunks are read.
-  EXPECT_LT(detail.MakeLevel({ points / 3, {} }, {}).Source->GetNumberOfBlocks(),
+  EXPECT_LT(detail.MakeLevel({ points / 9, {} }, {}).Source->GetNumberOfBlocks(),
     detail.MakeLevel({ points, {} }, {}).Source->GetNumberOfBlocks());
 }
 

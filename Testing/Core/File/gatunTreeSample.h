@@ -49,11 +49,6 @@ struct TreeSample
 
   std::size_t GetPoints() const { return this->Coordinates.size() / 3; }
   bool IsSurface() const { return !this->Types.empty(); }
-  PieceForm GetForm() const
-  {
-    return this->IsSurface() ? PieceForm::Original : PieceForm::Tetrahedra;
-  }
-
   std::size_t GetTets() const
   {
     return this->IsSurface() ? this->Types.size() : this->Ids.size() / 4;

@@ -176,6 +176,7 @@ Bytes EncodeAnything(std::uint32_t points, const std::vector<CodedMerge>& merges
 {
   EntropyEncoder coder;
   NumberModel runs, growths;
+  BitModel rounds;
   std::array<NumberModel, 33> skipped;
   std::array<BitTree<6>, 9> lengths;
   std::array<BitModel, 34> signs, seconds;
@@ -183,6 +184,7 @@ Bytes EncodeAnything(std::uint32_t points, const std::vector<CodedMerge>& merges
   for (const auto& merge : merges)
   {
     runs.Code(coder, merge.More);
+    coder.Bit(rounds, true);
     growths.Code(coder, merge.Growth);
     skipped[static_cast<std::size_t>(std::bit_width(points / (merge.More + 1)))].Code(
       coder, merge.Place);
@@ -393,7 +395,7 @@ Bytes MakeSmallFile()
 TEST(HostileTrees, EveryFlippedBitIsFound)
 {
   const auto good = MakeSmallFile();
-  ASSERT_LT(good.size(), 2500u);
+  ASSERT_LT(good.size(), 2600u);
   std::size_t openedOnly = 0;
   for (std::size_t at = 0; at < good.size(); ++at)
   {

@@ -502,8 +502,8 @@ TEST(Layers, BaseMeshesHaveThemToo)
     const auto read = [&](const std::shared_ptr<FileReader>& from)
     {
       auto request = AskForAll(*from);
-      request.Merges = merges;
       request.Tree = std::make_shared<const MergeTree>(from->GetMergeTree());
+      request.Merges = request.Tree->CountMergesOfRounds(merges);
       PieceDecoder decoder(from);
       const Piece piece(decoder, request);
       return GetCells(piece.Mesh, piece);

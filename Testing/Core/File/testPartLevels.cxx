@@ -33,16 +33,16 @@ PartWriterOptions MakeLevelSettings(std::uint64_t tetsOfGroup)
   return options;
 }
 
-/** 196,608 tetrahedra, and points that none of them has. */
+/** 279,936 tetrahedra, and points that none of them has. */
 PartMesh MakeLevelParts()
 {
-  auto cubes = MakeCubes(32, 0.2);
+  auto cubes = MakeCubes(36, 0.2);
   cubes.Coordinates.insert(cubes.Coordinates.end(), { 50, 0, 0, 51, 0, 0 });
   return MakePartMesh(cubes);
 }
 
 std::string WriteLevels(const std::string& name, const PartMesh& mesh, std::size_t parts,
-  const PartWriterOptions& options, int steps = StepsOfLevels, double height = 32)
+  const PartWriterOptions& options, int steps = StepsOfLevels, double height = 36)
 {
   const auto path = TempPath(name);
   WriteParts(path, Divide(mesh, parts, DealSlabs(mesh, parts, height)), options, steps);

@@ -170,8 +170,8 @@ protected:
     options.ChunkSize = GetParam().first;
     options.Keep = GetParam().second;
     const auto all = static_cast<std::uint32_t>(this->Sample.Tree.GetMerges().size());
-    this->Levels = { static_cast<std::uint32_t>(this->Sample.Tree.CountWholeMerges(all / 3)),
-      static_cast<std::uint32_t>(this->Sample.Tree.CountWholeMerges(3 * all / 4)) };
+    this->Levels = { static_cast<std::uint32_t>(this->Sample.Tree.CountMergesOfRounds(all / 3)),
+      static_cast<std::uint32_t>(this->Sample.Tree.CountMergesOfRounds(3 * all / 4)) };
     const auto path = GetPath("surface_tree" + std::to_string(GetParam().first) + "_" +
       std::to_string(GetParam().second) + ".gtn");
     WriteTreeSample(path, this->Sample, options, this->Levels);
@@ -301,7 +301,7 @@ TEST_P(SurfaceTreeFile, BaseMeshesGiveTheSame)
     auto request = AskForAll(*place.File, place.Merges);
     request.Tree = place.Tree;
     request.Step = 1;
-    const auto whole = this->Tree->CountWholeMerges(merges);
+    const auto whole = this->Tree->CountMergesOfRounds(merges);
     const Left left = Decode(place.File, request);
     const Left expected = Merge(this->Sample, whole, 1);
     EXPECT_EQ(left.GetPoints(true), expected.GetPoints()) << merges;
@@ -316,16 +316,16 @@ TEST_P(SurfaceTreeFile, NoSeamIsOpened)
 {
   SharedFile file(this->File);
   const auto& merges = this->Tree->GetMerges();
-  std::size_t lowered = 0;
+  std::size_t raised = 0;
   for (std::size_t n = 1; n < merges.size(); ++n)
   {
     const auto place = file.Find(n, false);
-    ASSERT_EQ(place.Merges, this->Tree->CountWholeMerges(n));
+    ASSERT_EQ(place.Merges, this->Tree->CountMergesOfRounds(n));
     ASSERT_EQ(place.Tree == nullptr, place.Merges == 0);
-    lowered += place.Merges != n;
+    raised += place.Merges != n;
   }
   const auto& bonds = this->Tree->GetBonds();
-  EXPECT_EQ(lowered, static_cast<std::size_t>(std::count(bonds.begin(), bonds.end(), true)));
+  EXPECT_EQ(raised, static_cast<std::size_t>(std::count(bonds.begin(), bonds.end(), true)));
   EXPECT_THROW(Decode(this->File, this->Ask(merges.size() + 1, 0)), Error);
 }
 
@@ -388,8 +388,8 @@ TEST(SurfaceTree, WriterMakesBaseMeshesOfWholeMerges)
   EXPECT_GT(writer.Finish().LevelBytes, 1000u);
   const FileReader file(path);
   ASSERT_EQ(file.GetLevels().size(), 2u); // of 52,000 triangles, 26,000 and 13,000
-  EXPECT_EQ(file.GetLevels()[0], sample.Tree.CountWholeMerges(half));
-  EXPECT_LT(file.GetLevels()[0], half);
+  EXPECT_EQ(file.GetLevels()[0], sample.Tree.CountMergesOfRounds(half));
+  EXPECT_GT(file.GetLevels()[0], half);
   for (const auto merges : file.GetLevels())
   {
     EXPECT_EQ(sample.Tree.CountWholeMerges(merges), merges);
