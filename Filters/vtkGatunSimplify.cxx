@@ -273,7 +273,7 @@ void vtkGatunSimplify::vtkInternals::FillFromSurface(
     this->FeatureAngle = self->FeatureAngle;
     this->SetPrepared(input, pieces, settings);
   }
-  const std::size_t merges = this->Tree.CountMergesOfRounds(this->CountMerges(self));
+  const std::size_t merges = this->CountMerges(self);
   this->Surface->Fill(this->Tree, merges, output);
   this->OutputRMSError = this->Tree.GetLargestError(merges);
 }
@@ -281,8 +281,9 @@ void vtkGatunSimplify::vtkInternals::FillFromSurface(
 //------------------------------------------------------------------------------
 std::size_t vtkGatunSimplify::vtkInternals::CountMerges(const vtkGatunSimplify* self) const
 {
-  return gatun::CountMerges(Target(self).GetTarget(), this->Tree.GetNumberOfPoints(),
-    this->Tree.GetMerges().size(), [this]() -> const gatun::MergeTree& { return this->Tree; });
+  return this->Tree.CountMergesOfRounds(
+    gatun::CountMerges(Target(self).GetTarget(), this->Tree.GetNumberOfPoints(),
+      this->Tree.GetMerges().size(), [this]() -> const gatun::MergeTree& { return this->Tree; }));
 }
 
 //------------------------------------------------------------------------------

@@ -97,8 +97,9 @@ public:
 
   ///@{
   /**
-   * Number of points of the result, as far as possible; a larger number than that of the mesh keeps
-   * all. 0: SimplificationRatio is the target. Default: 0.
+   * Number of points of the result, as far as possible, or somewhat fewer, as merges of a round are
+   * done together; a larger number than that of the mesh keeps all. 0: SimplificationRatio is the
+   * target. Default: 0.
    */
   vtkSetClampMacro(SimplificationNumberOfPoints, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(SimplificationNumberOfPoints, vtkIdType);

@@ -235,9 +235,9 @@ public:
    * (Levels) that is not larger.
    *
    * Of a mesh in pieces (NumberOfPieces) the merges are found in groups of tetrahedra. Each thread
-   * has one in memory, of 320 MB. Beside them, some 50 bytes a point are needed, and 40 bytes a
-   * tetrahedron of temporary files in the folder of the file. Errors are within some percent of
-   * those of the whole mesh. Which merges depend on which is not stored then.
+   * has one in memory, of 320 MB. Beside them, some 90 bytes a point are needed, and 44 bytes a
+   * tetrahedron and 70 a point of temporary files in the folder of the file. Errors are within some
+   * percent of those of the whole mesh.
    */
   vtkSetClampMacro(Hierarchy, int, HIERARCHY_OFF, HIERARCHY_WITH_DEPENDENCIES);
   vtkGetMacro(Hierarchy, int);

@@ -27,6 +27,7 @@ class Options:
         keep_order="none",
         hierarchy=False,
         levels=0,
+        dependencies=False,
         layers=None,
         boundary=False,
         chunk_size=0,
@@ -43,7 +44,7 @@ class Options:
         check_number("layers", self._layers[1], 0, _MOST_LAYERS)
         if chunk_size != 0:
             check_number("chunk_size", chunk_size, 64, 1048576)
-        self.has_hierarchy = bool(hierarchy or levels)
+        self.has_hierarchy = bool(hierarchy or levels or dependencies)
         self.has_boundary = bool(boundary)
         self._structure = _c.Options(
             keep_order=find_order(keep_order),
@@ -54,7 +55,7 @@ class Options:
             boundary=self.has_boundary,
             hierarchy=self.has_hierarchy,
             levels=check_number("levels", levels, 0, 64),
-            dependencies=self.has_hierarchy,
+            dependencies=bool(dependencies),
         )
 
     def describe(self, arrays, values=None):

@@ -204,7 +204,7 @@ WRITER = """
   <Hints>
     <PropertyWidgetDecorator type="GenericDecorator" mode="visibility" property="Hierarchy" value="1" />
   </Hints>
-  <Documentation>Largest number of additional base meshes with a half of the points, a quarter, and so on. With
+  <Documentation>Largest number of additional base meshes with an eighth of the points, a sixteenth, and so on. With
   them, coarse meshes are read and drawn faster. Default: 0.</Documentation>
 </IntVectorProperty>
 <IntVectorProperty name="WriteBoundary" command="SetWriteBoundary" default_values="0" number_of_elements="1">

@@ -105,7 +105,7 @@ def write_parts(
         overwrite: whether to replace a file that is there.
         arrays: as for ``Writer``.
         progress: as for ``File.read``, for each part anew.
-        options: ``tolerances``, ``keep_order``, ``profile``, ``hierarchy``, ``levels``, ``boundary``,
+        options: ``tolerances``, ``keep_order``, ``profile``, ``hierarchy``, ``levels``, ``dependencies``, ``boundary``,
             ``chunk_size`` and ``key_step_interval``, as for ``gatun.write``.
 
     Returns:

@@ -105,7 +105,7 @@ class Writer:
         points_move: whether each step has coordinates of its own.
         arrays, point_array: descriptions of arrays and of the points with names, roles and keys to keep,
             as ``File.arrays`` and ``File.point_array`` have them.
-        options: ``tolerances``, ``keep_order``, ``profile``, ``hierarchy``, ``levels``, ``layers``,
+        options: ``tolerances``, ``keep_order``, ``profile``, ``hierarchy``, ``levels``, ``dependencies``, ``layers``,
             ``boundary``, ``chunk_size`` and ``key_step_interval``, as for ``gatun.write``. Of a file that
             is appended to, the order, the profile, the chunk size and the interval stay.
     """

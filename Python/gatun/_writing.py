@@ -40,6 +40,7 @@ def write(
     keep_order: bool | Names = "none",
     hierarchy: bool = False,
     levels: int = 0,
+    dependencies: bool = False,
     layers: str | tuple[str, int] | None = None,
     boundary: bool = False,
     append: bool = False,
@@ -84,6 +85,9 @@ def write(
             active scalars, or without them all point arrays, of those that are written.
         levels: largest number of base meshes to store with the hierarchy, 0 to 64. A number above 0
             includes the hierarchy.
+        dependencies: whether to store, with the hierarchy, which merges depend on which: some 3 bytes
+            a point. Views of meshes of more than 4 million tetrahedra can then be finer where they
+            are near.
         layers: a point array by whose values the file is organized, for isosurfaces; or a pair of it
             and the largest number of layers, 0 (automatic) to 4096.
         boundary: whether to store the boundary of the mesh, too.
@@ -134,6 +138,7 @@ def write(
         keep_order=keep_order,
         hierarchy=hierarchy,
         levels=levels,
+        dependencies=dependencies,
         layers=layers,
         boundary=boundary,
         chunk_size=chunk_size,

@@ -238,7 +238,8 @@ save(vtkXMLPolyDataWriter(), plane.GetOutput(), "plane.vtp")
 told = gtn("pack", "--triangles", "--levels", 4, "plane.vtp", "plane.gtn")
 assert "hierarchy" in told and "base meshes" in told, told
 told = json.loads(gtn("info", "--json", "plane.gtn"))
-assert [mesh["points"] for mesh in told["baseMeshes"]] == [6111], told["baseMeshes"]
+(coarse,) = told["baseMeshes"]
+assert 5500 < coarse["points"] <= 6111, coarse
 assert 10000 < told["baseMeshes"][0]["cells"] < 13000, told["baseMeshes"]
 assert "\nbase meshes\n" in gtn("info", "plane.gtn")
 gtn("verify", "--triangles", "plane.gtn", "plane.vtp", says="identical")

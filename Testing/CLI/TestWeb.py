@@ -80,7 +80,7 @@ describe("mesh.gtn", MESH, "info", "--json", requests=5, amount=6 * BLOCK)
 describe("mesh.gtn", MESH, "verify", requests=200, amount=2**40)
 describe("scan.ghv", SCAN, "volume", "info", "--verify", requests=20, amount=2**40)
 same("mesh.gtn", "unpack", "-q", "-f", out=".vtu", requests=14)
-same("mesh.gtn", "unpack", "-q", "-f", "--arrays", "b", out=".vtu", amount=0.5 * len(MESH), requests=12)
+same("mesh.gtn", "unpack", "-q", "-f", "--arrays", "b", out=".vtu", amount=0.6 * len(MESH), requests=12)
 same("mesh.gtn", "simplify", "-q", "-f", "--ratio", "0.95", out=".vtu", amount=0.6 * len(MESH), requests=12)
 same("mesh.gtn", "contour", "-q", "-f", "--array", "x", "--value", "3", out=".vtp", amount=0.8 * len(MESH),
      requests=14)

@@ -232,7 +232,8 @@ class LibraryWriting(unittest.TestCase):
         gatun.write(mesh, path, levels=1, boundary=True, chunk_size=2048, **common)
         with gatun.open(path) as file:
             half = file.read(ratio=0.5)
-            self.assertEqual(len(half.points), len(points) - len(points) // 2)
+            left = len(points) - len(points) // 2  # merges of a round are done together
+            self.assertTrue(0.9 * left < len(half.points) <= left)
             boundary = file.read(boundary=True)
             self.assertTrue(boundary.is_surface or np.all(boundary.types == 5))
             self.assertEqual(len(boundary.types), 12 * 19 * 19)

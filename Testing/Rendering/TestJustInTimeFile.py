@@ -61,7 +61,8 @@ for path in files[:2]:
     for ratio in 0.3, 0.8, 0.97:
         simple = make_reader(path, SimplificationRatio=ratio)
         simple.Update()
-        assert simple.GetOutput().GetNumberOfPoints() == POINTS - math.floor(POINTS * ratio)
+        asked = POINTS - math.floor(POINTS * ratio)
+        assert 0.9 * asked < simple.GetOutput().GetNumberOfPoints() <= asked
         expected = at(make(simple.GetOutput()), AT_REST)
         assert ratio < 0.9 or gv.difference(expected, full) > 0.005, gv.difference(expected, full)
         # By the mapper, with next to no memory for it and with enough.

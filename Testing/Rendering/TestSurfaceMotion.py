@@ -91,7 +91,8 @@ assert gm.statistic(scene.mapper, "BufferBytes") <= 1 << 20
 scene = Scene(pd.reader_of(path, LargeMesh=0))
 scene.look(30, 20)
 total = scene.source.GetChunkTable().GetNumberOfRows()
-for ratio in 0.4, 0.4 + 2.0 / points, 0.3, 0.9, 0:
+few = 1 - 3000 / points  # so few are merged one by one
+for ratio in few, few + 2.0 / points, 0.3, 0.9, 0:
     before = gm.statistic(scene.mapper, "DecodedChunks")
     scene.mapper.GetDetailPolicy().SetSimplificationRatio(ratio)
     theirs = Scene(pd.read(path, SimplificationRatio=ratio), False)
@@ -99,7 +100,7 @@ for ratio in 0.4, 0.4 + 2.0 / points, 0.3, 0.9, 0:
     scene.look(30, 20, bounds=surface.GetBounds())
     require_equal(scene, theirs, ratio)
     changed = gm.statistic(scene.mapper, "DecodedChunks") - before
-    if ratio == 0.4 + 2.0 / points:
+    if ratio == few + 2.0 / points:
         # Two more points are merged.
         assert 0 < changed <= 6 < total / 2, (changed, total)
     assert gm.statistic(scene.mapper, "DrawnPoints") == (points - int(points * ratio) if ratio else 0)

@@ -39,8 +39,8 @@ PartWriterOptions MakeSurfaceSettings(bool hasTree)
 void ExpectSameBoundary(const PartMesh& mesh, std::size_t parts,
   const std::vector<std::size_t>& partOf, const PartWriterOptions& options)
 {
-  const auto path = TempPath("partSurface.gtn");
-  const auto wholePath = TempPath("partSurfaceWhole.gtn");
+  const auto path = GetPath("partSurface.gtn");
+  const auto wholePath = GetPath("partSurfaceWhole.gtn");
   const auto statistics =
     WriteParts(path, Divide(mesh, parts, partOf), options, StepsOfSurfaces, true);
   EXPECT_GT(statistics.File.BoundaryBytes, 0u);
@@ -90,7 +90,7 @@ TEST(PartSurface, OfCellsOfAllKindsAndOfRoundedValues)
 TEST(PartSurface, IsSimplifiedWithTheMesh)
 {
   const PartMesh mesh = MakePartMesh(MakeCubes(10, 0));
-  const auto path = TempPath("partSurfaceTree.gtn");
+  const auto path = GetPath("partSurfaceTree.gtn");
   WriteParts(path, Divide(mesh, 3, DealSlabs(mesh, 3, 10)), MakeSurfaceSettings(true), 1);
   const auto boundary = FileReader(path).OpenBoundary();
   EXPECT_TRUE(boundary->HasDependencies());
@@ -107,7 +107,7 @@ TEST(PartSurface, DoesNotDependOnThreads)
     WithNumberOfThreads(threads,
       [&]
       {
-        const auto path = TempPath("partSurfaceThreads.gtn");
+        const auto path = GetPath("partSurfaceThreads.gtn");
         WriteParts(path, Divide(mesh, 3, DealRandomly(mesh, 3, 2)), MakeSurfaceSettings(true), 1);
         bytes = ReadBytes(path);
       });

@@ -373,7 +373,7 @@ TEST(SurfaceTree, WriterMakesBaseMeshesOfWholeMerges)
   BuildSurfaceTree(sample, sheet.Values);
   // The number of merges that leaves half of the points is not a whole one.
   auto bonds = sample.Tree.GetBonds();
-  const auto half = sample.Tree.CountMergesForPoints((sample.GetPoints() + 1) / 2);
+  const auto half = sample.GetPoints() - (sample.GetPoints() + 1) / 2;
   bonds[half - 1] = true;
   sample.Tree = MergeTree(
     static_cast<std::uint32_t>(sample.GetPoints()), sample.Tree.GetMerges(), std::move(bonds));
