@@ -113,15 +113,16 @@ def write_reference(path, inputs, times, options):
 
 def find_parameters(options):
     """Parameters of gatun.write of options of vtkGatunWriter."""
-    names = {"ChunkSize": "chunk_size", "KeyStepInterval": "key_step_interval", "Hierarchy": "hierarchy",
-             "Levels": "levels", "WriteBoundary": "boundary", "FillMissingArrays": "fill_missing",
-             "Append": "append"}
+    names = {"ChunkSize": "chunk_size", "KeyStepInterval": "key_step_interval", "Levels": "levels",
+             "WriteBoundary": "boundary", "FillMissingArrays": "fill_missing", "Append": "append"}
     found = {"profile": "small"}
     for name, value in options.items():
         if name == "KeepOrder":
             found["keep_order"] = [o for o, flag in (("points", 1), ("cells", 2), ("corners", 4)) if value & flag]
         elif name == "Profile":
             found["profile"] = ("small", "fast")[value]
+        elif name == "Hierarchy":
+            found["hierarchy"], found["dependencies"] = bool(value), value == 2
         elif name == "errors":
             found["tolerances"] = dict(error.rsplit("=", 1) for error in value)
         elif name == "PointTolerance":
