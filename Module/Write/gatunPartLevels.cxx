@@ -15,7 +15,7 @@ namespace
 {
 /** A level that leaves more than this part of the tetrahedra is no base mesh. */
 constexpr double LargestStep = 0.75;
-constexpr double LargestFirst = 0.15; // of those of the mesh, with an eighth in mind
+constexpr double LargestFirst = 0.15; // of the points of the mesh, with an eighth in mind
 
 /** A part of a base mesh as a writer takes it. */
 class LevelPart
@@ -98,9 +98,11 @@ bool PartLevels::IsComplete() const
 //------------------------------------------------------------------------------
 void PartLevels::Add(std::uint32_t merges, const Progress& progress)
 {
-  const auto most = this->Levels.empty() ? LargestFirst * static_cast<double>(this->Whole.Meta.Tets)
-                                         : LargestStep * static_cast<double>(this->CountCells());
-  if (!this->IsComplete() && static_cast<double>(this->Merges.CountTets()) <= most)
+  const auto points = static_cast<double>(this->Whole.Meta.Points);
+  const bool isFewer = this->Levels.empty() ? points - merges <= LargestFirst * points
+                                            : static_cast<double>(this->Merges.CountTets()) <=
+      LargestStep * static_cast<double>(this->CountCells());
+  if (!this->IsComplete() && isFewer)
   {
     this->Write(
       merges, this->Merges.GetNumberOfParts(),
