@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -399,9 +398,7 @@ private:
   void MergeNow(std::uint32_t point, MergeQueue::Key key)
   {
     Candidate& merged = this->Candidates[point];
-    this->Change += merged.Change;
-    this->Merges.push_back({ point, merged.Into,
-      static_cast<float>(std::sqrt(this->Change) / CostsType::ChangePerError) });
+    this->Merges.push_back({ point, merged.Into, 0 }); // its error follows from the order
     if (this->OnMerge)
     {
       this->OnMerge(this->Merges.back(), key, merged.Change);
@@ -456,8 +453,6 @@ private:
   std::vector<std::uint32_t> Due;      // points of the round
   std::vector<std::uint32_t> Outdated; // points to be found anew after the round
   std::vector<Merge> Merges;
-  double Change = 0; // of all merges
-
   MergeRanks Ranks;
 
   const double PartAtOnce;

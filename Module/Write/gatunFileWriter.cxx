@@ -118,11 +118,12 @@ void FileWriter::Internals::FindDomains()
 void FileWriter::Internals::BeginLevels(const Progress& progress)
 {
   const auto& options = this->State.Options;
-  for (const auto merges : options.LevelMerges)
+  const auto add = [&](std::uint32_t merges)
   {
     this->Levels.push_back(this->MakeLevel(merges, progress));
     this->Merges.push_back(merges);
-  }
+  };
+  std::for_each(options.LevelMerges.begin(), options.LevelMerges.end(), add);
   if (!options.LevelMerges.empty())
   {
     return;
@@ -132,8 +133,8 @@ void FileWriter::Internals::BeginLevels(const Progress& progress)
   std::uint64_t cells = countCells(this->State);
   // Finer base meshes take much room, and are not read much faster than the whole mesh. Surfaces
   // are drawn as they are.
-  std::uint64_t points = this->State.Meta.Points;
-  points = options.IsSurface ? points : (points + 3) / 4;
+  std::uint64_t points =
+    options.IsSurface ? this->State.Meta.Points : (this->State.Meta.Points + 3) / 4;
   for (unsigned i = 0; i < options.Levels && cells > SmallLevel; ++i)
   {
     points = (points + 1) / 2;
@@ -142,8 +143,7 @@ void FileWriter::Internals::BeginLevels(const Progress& progress)
     {
       return;
     }
-    this->Levels.push_back(this->MakeLevel(merges, progress));
-    this->Merges.push_back(merges);
+    add(merges);
     cells = countCells(this->Levels.back()->File->State);
   }
 }

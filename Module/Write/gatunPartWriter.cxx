@@ -557,14 +557,14 @@ TreeSection& PartWriter::Internals::BeginTree(MergeTree tree)
 void PartWriter::Internals::WriteHierarchy(const Progress& progress)
 {
   const auto stay = [&](double) { return !progress || progress(1); };
-  const MergeTree tree = this->Tree->Build(progress);
+  MergeTree tree = this->Tree->Build(progress);
   std::vector<std::uint32_t> all(tree.GetNumberOfPoints());
   std::iota(all.begin(), all.end(), 0u);
   std::vector<MeshOfTree> meshes{ { 0, all,
     [this](MergeTree own) -> TreeSection& { return this->BeginTree(std::move(own)); } } };
   this->Tree->GetLevels().List(meshes);
-  TreeParts parts(tree, std::move(meshes));
-  if (this->Options.File.Dependencies && !tree.GetMerges().empty())
+  TreeParts parts(std::move(tree), std::move(meshes));
+  if (this->Options.File.Dependencies && !parts.GetTree().GetMerges().empty())
   {
     parts.WriteDependencies(this->Tree->FindDependencies(parts.GetTree()), stay);
   }

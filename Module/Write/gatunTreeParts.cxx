@@ -70,9 +70,9 @@ std::vector<std::uint32_t> MapPoints(
 }
 
 //------------------------------------------------------------------------------
-TreeParts::TreeParts(const MergeTree& tree, std::vector<MeshOfTree> meshes)
+TreeParts::TreeParts(MergeTree tree, std::vector<MeshOfTree> meshes)
   : Meshes(std::move(meshes))
-  , Tree(this->Sort(tree))
+  , Tree(this->Sort(std::move(tree)))
 {
   for (std::size_t i = 0; i < this->Meshes.size(); ++i)
   {
@@ -87,7 +87,7 @@ TreeParts::TreeParts(const MergeTree& tree, std::vector<MeshOfTree> meshes)
 
 //------------------------------------------------------------------------------
 /** Sorts the merges of each round by the numbers of their points in the mesh of the merges. */
-MergeTree TreeParts::Sort(const MergeTree& tree) const
+MergeTree TreeParts::Sort(MergeTree tree) const
 {
   if (tree.GetRounds().empty())
   {

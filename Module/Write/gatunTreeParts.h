@@ -36,7 +36,7 @@ public:
   using Progress = std::function<bool(double)>;
 
   /** Writes the merges into the section of the first mesh, which is the whole one. */
-  TreeParts(const MergeTree& tree, std::vector<MeshOfTree> meshes);
+  TreeParts(MergeTree tree, std::vector<MeshOfTree> meshes);
 
   /** The tree with the merges in the order of the file. */
   const MergeTree& GetTree() const { return this->Tree; }
@@ -45,7 +45,7 @@ public:
   void WriteDependencies(const MergeDependencies& dependencies, const Progress& progress);
 
 private:
-  MergeTree Sort(const MergeTree& tree) const;
+  MergeTree Sort(MergeTree tree) const;
   std::uint32_t GetEnd(std::size_t mesh) const;
 
   std::vector<MeshOfTree> Meshes;

@@ -4,6 +4,8 @@
 #ifndef gatunTestTrees_h
 #define gatunTestTrees_h
 
+#include "gatunBytes.h"
+#include "gatunError.h"
 #include "gatunMergeBuilder.h"
 #include "gatunMergeTree.h"
 #include "gatunTestFile.h"
@@ -51,6 +53,37 @@ inline void ExpectSame(const MergeTree& a, const MergeTree& b)
     const Merge& y = b.GetMerges()[i];
     ASSERT_TRUE(x.Point == y.Point && x.Into == y.Into && x.Error == y.Error) << i;
   }
+}
+
+/** Damages a stream in many ways, and calls decode with it, which may check what it decodes.
+ * Returns how often it throws; all errors must be those of a damaged stream. */
+template <typename Decode>
+std::size_t CountRefused(const Bytes& good, unsigned tries, Decode&& decode)
+{
+  std::mt19937 random(3);
+  std::size_t refused = 0;
+  for (unsigned i = 0; i < tries; ++i)
+  {
+    auto bad = good;
+    if (i % 3 == 0)
+    {
+      bad.resize(random() % bad.size());
+    }
+    else
+    {
+      bad[random() % bad.size()] ^= static_cast<std::uint8_t>(1u << random() % 8);
+    }
+    try
+    {
+      decode(bad);
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.Code, ErrorCode::Corrupt);
+      ++refused;
+    }
+  }
+  return refused;
 }
 
 /** Merges of any points into any others, with errors of all magnitudes. */
